@@ -30,12 +30,18 @@ struct Relay {
 };
 
 namespace relay {
-inline constexpr Relay never() { return {}; }
+inline constexpr Relay never() {
+  return {};
+}
 inline constexpr Relay to_laptop(double max_rate_hz = 0.0, double max_age_s = 0.0) {
   return {Relay::Direction::ToLaptop, max_rate_hz, max_age_s};
 }
-inline constexpr Relay to_robot(double max_age_s = 0.0) { return {Relay::Direction::ToRobot, 0.0, max_age_s}; }
-inline constexpr Relay both(double max_rate_hz = 0.0) { return {Relay::Direction::Both, max_rate_hz, 0.0}; }
+inline constexpr Relay to_robot(double max_age_s = 0.0) {
+  return {Relay::Direction::ToRobot, 0.0, max_age_s};
+}
+inline constexpr Relay both(double max_rate_hz = 0.0) {
+  return {Relay::Direction::Both, max_rate_hz, 0.0};
+}
 }  // namespace relay
 
 /// A topic of the contract. `appliers` are the services whose receipt the sender of an Event waits for.
@@ -66,8 +72,8 @@ inline constexpr Topic<VelocityCommandPubSubType> kVelocityCommand{"velocity_com
 /// gateway, cli -> base.
 inline constexpr Topic<StopRequestPubSubType> kStopRequest{"stop_request", Delivery::Event, relay::to_robot(), "base"};
 /// gateway, cli -> base.
-inline constexpr Topic<ResumeRequestPubSubType> kResumeRequest{"resume_request", Delivery::Event,
-                                                               relay::to_robot(1.0), "base"};
+inline constexpr Topic<ResumeRequestPubSubType> kResumeRequest{"resume_request", Delivery::Event, relay::to_robot(1.0),
+                                                               "base"};
 
 // What the robot sees ------------------------------------------------------------------------------------------------
 /// laser -> localization, tracker, base, navigator; 10-40 Hz. Thinned to one datagram on the link.

@@ -22,11 +22,11 @@ struct DomainOptions {
   enum class Kind { Host, Link };
   Kind kind = Kind::Host;
   int domain = 0;
-  std::string participant;                   ///< name shown to others: "planner@laptop1"
-  std::string address = "127.0.0.1";         ///< of the only interface used
-  std::string discovery = "multicast";       ///< multicast, peers, auto
+  std::string participant;              ///< name shown to others: "planner@laptop1"
+  std::string address = "127.0.0.1";    ///< of the only interface used
+  std::string discovery = "multicast";  ///< multicast, peers, auto
   std::vector<std::string> peers;
-  std::vector<std::string> partitions;       ///< teams on the link; empty on a host domain
+  std::vector<std::string> partitions;  ///< teams on the link; empty on a host domain
   Pace pace = Pace::RealTime;
 };
 

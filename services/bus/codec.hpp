@@ -1,9 +1,8 @@
 #pragma once
 
-#include <fastdds/dds/topic/TopicDataType.hpp>
-
 #include <cstdint>
 #include <cstring>
+#include <fastdds/dds/topic/TopicDataType.hpp>
 #include <optional>
 #include <vector>
 

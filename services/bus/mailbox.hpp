@@ -1,8 +1,9 @@
 #pragma once
 
 #include <array>
-#include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -22,12 +23,12 @@ using KeyHash = std::array<std::uint8_t, 16>;
 /// A sample as it travels: the CDR payload with its 4-byte encapsulation header.
 struct RawSample {
   enum class Kind { Data, Disposed, NoWriter };
-  Kind kind = Kind::Data;                ///< Disposed by its writer, or all its writers are gone: then no payload.
+  Kind kind = Kind::Data;  ///< Disposed by its writer, or all its writers are gone: then no payload.
   std::vector<std::uint8_t> payload;
   KeyHash key{};
   WriterId writer{};
-  Time source_time{};                    ///< stamped by the writer, its host's clock
-  Time received{};                       ///< this host's monotonic mission time
+  Time source_time{};  ///< stamped by the writer, its host's clock
+  Time received{};     ///< this host's monotonic mission time
 };
 
 /// A decoded sample.
@@ -50,12 +51,12 @@ class Mailbox {
 class LatestBox final : public Mailbox {
  public:
   void put(RawSample sample) override;
-  [[nodiscard]] std::vector<RawSample> each() const;          ///< one per live instance
-  [[nodiscard]] std::optional<RawSample> newest() const;      ///< over all instances
+  [[nodiscard]] std::vector<RawSample> each() const;      ///< one per live instance
+  [[nodiscard]] std::optional<RawSample> newest() const;  ///< over all instances
   /// The newest sample if one came since the last call.
   [[nodiscard]] std::optional<RawSample> take_new();
-  [[nodiscard]] std::vector<KeyHash> gone() const;            ///< instances disposed or without a writer
-  [[nodiscard]] std::uint64_t count() const;                  ///< samples ever put
+  [[nodiscard]] std::vector<KeyHash> gone() const;  ///< instances disposed or without a writer
+  [[nodiscard]] std::uint64_t count() const;        ///< samples ever put
 
  private:
   mutable std::mutex mutex_;
@@ -76,7 +77,7 @@ class InOrderBox final : public Mailbox {
 
  private:
   mutable std::mutex mutex_;
-  std::vector<RawSample> samples_;
+  std::deque<RawSample> samples_;
   std::size_t limit_;
   std::uint64_t dropped_ = 0;
 };

@@ -13,9 +13,15 @@ namespace tandem {
 }
 
 /// The shortest turn from `from_rad` to `to_rad`, in [-pi, pi), counter-clockwise positive.
-[[nodiscard]] inline double turn_between(double from_rad, double to_rad) { return wrap_to_pi(to_rad - from_rad); }
+[[nodiscard]] inline double turn_between(double from_rad, double to_rad) {
+  return wrap_to_pi(to_rad - from_rad);
+}
 
-[[nodiscard]] constexpr double from_degrees(double angle_deg) { return angle_deg * std::numbers::pi / 180.0; }
-[[nodiscard]] constexpr double to_degrees(double angle_rad) { return angle_rad * 180.0 / std::numbers::pi; }
+[[nodiscard]] constexpr double from_degrees(double angle_deg) {
+  return angle_deg * std::numbers::pi / 180.0;
+}
+[[nodiscard]] constexpr double to_degrees(double angle_rad) {
+  return angle_rad * 180.0 / std::numbers::pi;
+}
 
 }  // namespace tandem

@@ -8,14 +8,18 @@
 namespace tandem {
 namespace {
 
-Duration monotonic_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+Duration monotonic_now() {
+  return std::chrono::steady_clock::now().time_since_epoch();
+}
 
 }  // namespace
 
 SteadyClock::SteadyClock()
     : unix_minus_monotonic_(Duration{std::chrono::system_clock::now().time_since_epoch()} - monotonic_now()) {}
 
-Time SteadyClock::now() const { return Time{monotonic_now() + unix_minus_monotonic_}; }
+Time SteadyClock::now() const {
+  return Time{monotonic_now() + unix_minus_monotonic_};
+}
 
 void SteadyClock::wait_until(Time time, const std::function<bool()>& interrupted) {
   constexpr Duration kSlice = std::chrono::milliseconds{50};

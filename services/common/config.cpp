@@ -1,5 +1,7 @@
 #include "services/common/config.hpp"
 
+#include <toml++/toml.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -7,7 +9,6 @@
 #include <numeric>
 #include <set>
 #include <sstream>
-#include <toml++/toml.h>
 
 namespace tandem::detail {
 namespace {
@@ -47,7 +48,9 @@ std::string shortest(double value) {
   return number(value);
 }
 
-std::string range_text(Range range) { return "[" + shortest(range.min) + ", " + shortest(range.max) + "]"; }
+std::string range_text(Range range) {
+  return "[" + shortest(range.min) + ", " + shortest(range.max) + "]";
+}
 
 class Reader final : public ConfigVisitor {
  public:

@@ -16,7 +16,8 @@ class FileError : public std::runtime_error {
 /// The whole of `file`, byte for byte. Throws FileError.
 [[nodiscard]] std::string read_file(const std::filesystem::path& file);
 
-/// Writes `content` so that `file` is either its old self or all of the new, whatever happens meanwhile. Throws FileError.
+/// Writes `content` so that `file` is either its old self or all of the new, whatever happens meanwhile. Throws
+/// FileError.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 
 }  // namespace tandem

@@ -10,8 +10,8 @@ namespace tandem {
 
 /// A random generator that is handed in: equal seed, equal numbers, on every machine and library version.
 ///
-/// xoshiro256** seeded by splitmix64 (Blackman and Vigna, public domain); the distributions are our own because those of
-/// the standard library differ between implementations.
+/// xoshiro256** seeded by splitmix64 (Blackman and Vigna, public domain); the distributions are our own because those
+/// of the standard library differ between implementations.
 class Rng {
  public:
   explicit Rng(std::uint64_t seed) {

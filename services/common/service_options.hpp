@@ -7,10 +7,10 @@ namespace tandem {
 
 /// What every service understands on its command line.
 struct ServiceOptions {
-  std::string service;                    ///< "planner" for tandem-planner
-  std::filesystem::path config_folder;    ///< holds site.toml and <service>.toml
-  std::string clock = "steady";           ///< "steady", or "bus" to follow the clock topic (simulation, replay)
-  bool lockstep = false;                  ///< lossless topics for lockstep replay; implies clock "bus"
+  std::string service;                  ///< "planner" for tandem-planner
+  std::filesystem::path config_folder;  ///< holds site.toml and <service>.toml
+  std::string clock = "steady";         ///< "steady", or "bus" to follow the clock topic (simulation, replay)
+  bool lockstep = false;                ///< lossless topics for lockstep replay; implies clock "bus"
   std::string log_level = "info";
 
   [[nodiscard]] std::filesystem::path site_file() const { return config_folder / "site.toml"; }

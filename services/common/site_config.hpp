@@ -10,15 +10,15 @@ namespace tandem {
 
 /// config/<place>/site.toml: what all services of one host share.
 struct SiteConfig {
-  std::string host = "robot1";          ///< This host's name, unique on the link.
-  std::string role = "robot";           ///< "robot", "laptop", or "both" when everything runs on one host.
-  std::string robot = "robot1";         ///< The robot of this team; on a robot host, its own name.
-  std::string agent = "person1";        ///< The person of this team, a code, never a name.
-  std::int64_t host_domain = 10;        ///< DDS domain of this host's services, bound to 127.0.0.1.
-  std::int64_t link_domain = 20;        ///< DDS domain between the relays.
+  std::string host = "robot1";             ///< This host's name, unique on the link.
+  std::string role = "robot";              ///< "robot", "laptop", or "both" when everything runs on one host.
+  std::string robot = "robot1";            ///< The robot of this team; on a robot host, its own name.
+  std::string agent = "person1";           ///< The person of this team, a code, never a name.
+  std::int64_t host_domain = 10;           ///< DDS domain of this host's services, bound to 127.0.0.1.
+  std::int64_t link_domain = 20;           ///< DDS domain between the relays.
   std::string link_address = "127.0.0.1";  ///< Address of the interface the relay uses (Wi-Fi, WireGuard).
-  std::string discovery = "auto";       ///< How relays find each other on the link.
-  std::vector<std::string> peers;       ///< Addresses of the other relays, for "peers" and "auto".
+  std::string discovery = "auto";          ///< How relays find each other on the link.
+  std::vector<std::string> peers;          ///< Addresses of the other relays, for "peers" and "auto".
 
   template <typename Visitor>
   void visit_fields(Visitor& visitor) {

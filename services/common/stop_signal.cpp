@@ -7,7 +7,9 @@ namespace {
 
 volatile std::sig_atomic_t stop_requested = 0;
 
-void remember(int) { stop_requested = 1; }
+void remember(int) {
+  stop_requested = 1;
+}
 
 }  // namespace
 
@@ -19,6 +21,8 @@ StopSignal::StopSignal() {
   std::signal(SIGPIPE, SIG_IGN);  // a closed socket is everyday life, reported by write()
 }
 
-bool StopSignal::requested() const { return stop_requested != 0; }
+bool StopSignal::requested() const {
+  return stop_requested != 0;
+}
 
 }  // namespace tandem

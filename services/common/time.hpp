@@ -23,12 +23,18 @@ using Time = MissionClock::time_point;
 }
 
 /// `duration` in seconds.
-[[nodiscard]] constexpr double to_seconds(Duration duration) { return static_cast<double>(duration.count()) * 1e-9; }
+[[nodiscard]] constexpr double to_seconds(Duration duration) {
+  return static_cast<double>(duration.count()) * 1e-9;
+}
 
 /// Unix time [ns], as stamps travel in messages and files.
-[[nodiscard]] constexpr std::int64_t to_stamp_ns(Time time) { return time.time_since_epoch().count(); }
+[[nodiscard]] constexpr std::int64_t to_stamp_ns(Time time) {
+  return time.time_since_epoch().count();
+}
 
 /// The inverse of to_stamp_ns.
-[[nodiscard]] constexpr Time from_stamp_ns(std::int64_t stamp_ns) { return Time{Duration{stamp_ns}}; }
+[[nodiscard]] constexpr Time from_stamp_ns(std::int64_t stamp_ns) {
+  return Time{Duration{stamp_ns}};
+}
 
 }  // namespace tandem
