@@ -1,0 +1,37 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+
+#include "services/cli/command.hpp"
+#include "services/cli/info_command.hpp"
+#include "services/cli/topics_command.hpp"
+#include "services/common/version.hpp"
+
+// The commands of `tandem`, in the order of its help. How to make one: command.hpp.
+int main(int argc, char** argv) {
+  using namespace tandem::cli;
+  CLI::App app{"A person with a phone and a robot search a place together.", "tandem"};
+  app.set_version_flag("--version", "tandem " + tandem::version_line());
+  app.footer("Example: tandem info episode.mcap\n`tandem COMMAND --help` tells more.");
+  app.require_subcommand(1);
+
+  add_info_command(app);
+  add_topics_command(app);
+
+  try {
+    app.parse(argc, argv);
+    return EXIT_SUCCESS;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? EXIT_SUCCESS : 2;
+  } catch (const WrongUse& error) {
+    std::fprintf(stderr, "tandem: %s\n", error.what());
+    return 2;
+  } catch (const Interrupted&) {
+    return 130;
+  } catch (const Failed&) {
+    return EXIT_FAILURE;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "tandem: %s\n", error.what());
+    return EXIT_FAILURE;
+  }
+}
