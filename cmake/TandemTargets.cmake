@@ -30,12 +30,16 @@ function(tandem_library name)
   endif()
 endfunction()
 
+# Everything a user runs, without the tests: what `./run demo` builds.
+add_custom_target(all_programs)
+
 # tandem_program(tandem-name SOURCES main.cpp ... LINKS lib ...): lands in build/bin/.
 function(tandem_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   tandem_target_defaults(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINKS})
+  add_dependencies(all_programs ${name})
 endfunction()
 
 # tandem_test(name SOURCES a_test.cpp ... LINKS lib ... [LABELS l ...] [TIMEOUT s] [SERIAL]): each TEST is a ctest test.
