@@ -1,0 +1,36 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+
+#include "services/common/config.hpp"
+#include "services/common/site_config.hpp"
+#include "tests/architecture/source_tree.hpp"
+
+namespace tandem::test {
+namespace {
+
+template <typename Config>
+void load(const std::filesystem::path& file) {
+  const Config config = load_config<Config>(file);
+  EXPECT_EQ(write_config(parse_config<Config>(write_config(config))), write_config(config)) << file;
+}
+
+/// Which struct each config file is for, by its name.
+const std::map<std::string, std::function<void(const std::filesystem::path&)>>& loaders() {
+  static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
+      {"site.toml", load<SiteConfig>},
+  };
+  return by_name;
+}
+
+TEST(ConfigFiles, EveryShippedFileLoads) {
+  for (const auto& file : files_below("config", ".toml")) {
+    const auto loader = loaders().find(std::filesystem::path{file}.filename().string());
+    ASSERT_NE(loader, loaders().end()) << file << " is the config of no service known to config_files_test.cpp";
+    EXPECT_NO_THROW(loader->second(source_root() / file)) << file;
+  }
+}
+
+}  // namespace
+}  // namespace tandem::test
