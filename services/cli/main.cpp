@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "services/cli/command.hpp"
+#include "services/cli/import_command.hpp"
 #include "services/cli/info_command.hpp"
 #include "services/cli/topics_command.hpp"
 #include "services/common/version.hpp"
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
 
   add_info_command(app);
+  add_import_command(app);
   add_topics_command(app);
 
   try {

@@ -1,0 +1,56 @@
+#include "services/cli/import_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "services/cli/command.hpp"
+#include "services/common/version.hpp"
+#include "services/recorder/carmen_import.hpp"
+#include "services/recorder/recording_file.hpp"
+
+namespace tandem::cli {
+namespace {
+
+struct ImportOptions {
+  std::string file;
+  std::string output;
+  std::string robot = "robot1";
+};
+
+void run_carmen(const ImportOptions& options) {
+  const auto events = carmen::parse_log(carmen::read_log_file(options.file), options.file);
+  const auto scans = std::count_if(events.begin(), events.end(), [](const carmen::Event& event) {
+    return std::holds_alternative<carmen::Scan>(event);
+  });
+  recorder::write_recording(options.output, [&](mcap::Writer& writer) {
+    writer.write(mcap::Metadata{"tandem",
+                                {{"imported_from", options.file.substr(options.file.rfind('/') + 1)},
+                                 {"import", "carmen"},
+                                 {"version", version()},
+                                 {"commit", commit()},
+                                 {"contract_hash", contract_hash()}}});
+    recorder::write_carmen(events, options.robot, writer);
+    if (stop_requested()) throw Interrupted{};
+  });
+  std::fprintf(stderr, "%s: %td scans, %td odometry samples\n", options.output.c_str(), scans,
+               static_cast<std::ptrdiff_t>(events.size()) - scans);
+}
+
+}  // namespace
+
+void add_import_command(CLI::App& tandem) {
+  CLI::App* import = add_command(tandem, "import", "Turn another program's log into a recording",
+                                 "tandem import carmen intel.log.gz -o intel.mcap");
+  import->require_subcommand(1);
+  const auto options = std::make_shared<ImportOptions>();
+  CLI::App* carmen = add_command(*import, "carmen", "CARMEN logs (ODOM, FLASER), or lines of O and S; plain or gzip",
+                                 "tandem import carmen fr079.odomscan.txt.gz -o fr079.mcap");
+  carmen->add_option("FILE", options->file, "Log")->required();
+  carmen->add_option("-o,--output", options->output, "Recording to write (.mcap)")->required();
+  carmen->add_option("--robot", options->robot, "Name of the robot in the messages")->capture_default_str();
+  carmen->callback([options] { run_carmen(*options); });
+}
+
+}  // namespace tandem::cli
