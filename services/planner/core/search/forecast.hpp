@@ -16,8 +16,8 @@ struct AgentViews {
 
 /// What a plan promises.
 struct Forecast {
-  double expected_time_s = 0.0;     ///< until the object is found, from now, given that it was not found yet
-  double probability_found = 0.0;   ///< within the horizon
+  double expected_time_s = 0.0;    ///< until the object is found, from now, given that it was not found yet
+  double probability_found = 0.0;  ///< within the horizon
 };
 
 /// The objective, the only one (digest A1): the expected time to find, exact for the exponential detection model.
@@ -38,7 +38,7 @@ class SearchForecaster {
  private:
   double step_s_;
   double tail_s_;
-  std::vector<double> mass_;          // scratch, kept to spare allocations
+  std::vector<double> mass_;           // scratch, kept to spare allocations
   std::vector<std::uint8_t> seen_by_;  // set of agents as bits, all zero between steps
   std::vector<int> touched_;
   std::vector<double> survival_;

@@ -68,11 +68,12 @@ std::vector<int> steps_from_walked_floor(const OccupancyGrid& map, const SearchA
 
 SearchArea::SearchArea(const OccupancyGrid& map, const SearchAreaOptions& options) : cell_size_m_(options.cell_size_m) {
   const double resolution_m = map.resolution_m();
-  const auto steps =
-      steps_from_walked_floor(map, options, static_cast<int>(std::ceil((options.walk_clearance_m + 0.1) / resolution_m)));
+  const auto steps = steps_from_walked_floor(
+      map, options, static_cast<int>(std::ceil((options.walk_clearance_m + 0.1) / resolution_m)));
   const Boundary outline = Polygon{options.outline_in_map};
   const auto searched = [&](CellIndex cell) {
-    return steps[map.offset(cell)] >= 0 && (options.outline_in_map.empty() || contains(outline, map.centre_in_map(cell)));
+    return steps[map.offset(cell)] >= 0 &&
+           (options.outline_in_map.empty() || contains(outline, map.centre_in_map(cell)));
   };
 
   Vector2d low = Vector2d::Constant(std::numeric_limits<double>::infinity());

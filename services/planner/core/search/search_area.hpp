@@ -11,9 +11,9 @@ namespace tandem {
 /// What part of a map is searched.
 struct SearchAreaOptions {
   double cell_size_m = 0.5;
-  double walk_clearance_m = 0.25;                 ///< A person gets through where this is free to both sides.
+  double walk_clearance_m = 0.25;                          ///< A person gets through where this is free to both sides.
   Eigen::Vector2d start_in_map = Eigen::Vector2d::Zero();  ///< Only what can be walked to from here [m].
-  std::vector<Eigen::Vector2d> outline_in_map;    ///< A polygon that limits the area; empty: none.
+  std::vector<Eigen::Vector2d> outline_in_map;             ///< A polygon that limits the area; empty: none.
 };
 
 /// The floor where the object may lie, in square cells: whatever a person can get at from the start.

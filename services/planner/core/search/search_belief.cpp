@@ -22,7 +22,9 @@ void SearchBelief::look(std::size_t agent, const View& view, double detection_ra
   }
 }
 
-double SearchBelief::probability_left() const { return std::accumulate(mass_.begin(), mass_.end(), 0.0); }
+double SearchBelief::probability_left() const {
+  return std::accumulate(mass_.begin(), mass_.end(), 0.0);
+}
 
 std::vector<double> SearchBelief::posterior() const {
   std::vector<double> posterior = mass_;

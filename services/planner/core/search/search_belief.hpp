@@ -38,8 +38,8 @@ class SearchBelief {
 
 /// How much of the area is explored, and by whom it was seen first.
 struct ExploredShares {
-  double all = 0.0;               ///< [0, 1] of the floor
-  std::vector<double> by_agent;   ///< they add up to `all`
+  double all = 0.0;              ///< [0, 1] of the floor
+  std::vector<double> by_agent;  ///< they add up to `all`
 };
 
 /// Shares of the floor that is_explored() with `probability`.

@@ -11,7 +11,9 @@ using Eigen::Vector2d;
 
 constexpr double kOnBoundary_m = 1e-12;
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Vector2d& a, const Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 double distance_to_edge(const Vector2d& a, const Vector2d& b, const Vector2d& point) {
   const Vector2d edge = b - a;

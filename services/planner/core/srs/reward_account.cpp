@@ -47,7 +47,9 @@ void RewardAccount::consume(std::size_t source) {
   consumed_[source] = true;
 }
 
-double RewardAccount::left(std::size_t source) const { return std::copysign(left_[source], world_.sources[source].pool); }
+double RewardAccount::left(std::size_t source) const {
+  return std::copysign(left_[source], world_.sources[source].pool);
+}
 
 bool RewardAccount::pays(std::size_t source, const std::string& agent) const {
   const RewardSource& the_source = world_.sources[source];
@@ -78,7 +80,8 @@ std::vector<double> RewardAccount::advance(const std::vector<AgentMove>& moves, 
   }
   std::sort(shares.begin(), shares.end());
   for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-    if (shares[i + 1] > shares[i]) drain(moves, duration_s, shares[i] * duration_s, shares[i + 1] * duration_s, rewards);
+    if (shares[i + 1] > shares[i])
+      drain(moves, duration_s, shares[i] * duration_s, shares[i + 1] * duration_s, rewards);
   }
   return rewards;
 }
@@ -126,8 +129,8 @@ void RewardAccount::drain(const std::vector<AgentMove>& moves, double duration_s
     for (const Draw& draw : draws) {
       const RewardSource& source = world_.sources[draw.source];
       if (draw.rate_per_s == 0.0) {
-        rewards[draw.agent] += outer_reward(source, moves[draw.agent], now_s / duration_s,
-                                            (now_s + step_s) / duration_s, duration_s);
+        rewards[draw.agent] +=
+            outer_reward(source, moves[draw.agent], now_s / duration_s, (now_s + step_s) / duration_s, duration_s);
       } else {
         rewards[draw.agent] += draw.rate_per_s * (source.flow == Flow::Proportional ? share_paid[draw.source] : step_s);
       }

@@ -20,8 +20,8 @@ struct Relation {
   RelationKind kind = RelationKind::Soft;
   std::string from;
   std::string to;
-  double coupling = 1.0;             ///< of a codependence, [0, 1]
-  std::vector<std::string> agents;   ///< whose reward a soft relation silences; empty: everybody's (digest C6)
+  double coupling = 1.0;            ///< of a codependence, [0, 1]
+  std::vector<std::string> agents;  ///< whose reward a soft relation silences; empty: everybody's (digest C6)
 };
 
 /// The sources of a task and how they depend on each other: W = {sources, graph}, equation (8).

@@ -17,7 +17,8 @@ inline OccupancyGrid room(const std::vector<std::string>& drawing, double sign_m
   OccupancyGrid grid(columns * cells, rows * cells, kResolution_m, {}, CellState::Free);
   for (int row = 0; row < grid.height(); ++row) {
     for (int column = 0; column < grid.width(); ++column) {
-      const char sign = drawing[static_cast<std::size_t>(rows - 1 - row / cells)][static_cast<std::size_t>(column / cells)];
+      const char sign =
+          drawing[static_cast<std::size_t>(rows - 1 - row / cells)][static_cast<std::size_t>(column / cells)];
       if (sign == '#') grid.set({column, row}, CellState::Occupied);
     }
   }

@@ -74,12 +74,12 @@ TEST(Observability, SeesOnlyInRangeAndInTheFieldOfView) {
   const View seen = sight.seen_from(camera(), {5.25, 5.25, 0.0});
   const auto sees = [&](double x, double y) { return std::ranges::find(seen, *area.cell_at({x, y})) != seen.end(); };
 
-  EXPECT_TRUE(sees(7.25, 5.25));    // 2 m ahead
-  EXPECT_FALSE(sees(5.5, 5.25));    // nearer than the camera sees the floor
-  EXPECT_FALSE(sees(9.75, 5.25));   // 4.5 m
-  EXPECT_FALSE(sees(5.25, 7.25));   // to the left
-  EXPECT_TRUE(sees(7.25, 6.25));    // 26.6 degrees
-  EXPECT_FALSE(sees(7.25, 6.75));   // 36.9 degrees: a 3-4-5 triangle
+  EXPECT_TRUE(sees(7.25, 5.25));   // 2 m ahead
+  EXPECT_FALSE(sees(5.5, 5.25));   // nearer than the camera sees the floor
+  EXPECT_FALSE(sees(9.75, 5.25));  // 4.5 m
+  EXPECT_FALSE(sees(5.25, 7.25));  // to the left
+  EXPECT_TRUE(sees(7.25, 6.25));   // 26.6 degrees
+  EXPECT_FALSE(sees(7.25, 6.75));  // 36.9 degrees: a 3-4-5 triangle
 }
 
 TEST(SearchBelief, T13ThePosteriorIsTheJointMassNormalised) {

@@ -19,7 +19,9 @@ RewardSource disc_source(const std::string& id, const Vector2d& centre, double r
   return source;
 }
 
-AgentMove move(const std::string& agent, const Vector2d& from, const Vector2d& to) { return {agent, from, to}; }
+AgentMove move(const std::string& agent, const Vector2d& from, const Vector2d& to) {
+  return {agent, from, to};
+}
 
 TEST(RewardSource, T1PaysTheInnerRateOnItsBoundaryAndFadesOutside) {
   RewardSource source = disc_source("s", {0, 0}, 2.0, 3.0);

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "services/mapping/core/distance_field.hpp"
+#include "services/mapping/core/occupancy_grid.hpp"
+
+namespace tandem {
+
+/// A place that turned out to be blocked.
+struct BlockedDisc {
+  Eigen::Vector2d centre_in_map;  ///< [m]
+  double radius_m = 0.6;
+};
+
+/// What a body needs to get through.
+struct MotionOptions {
+  double radius_m = 0.3;               ///< clearance it must have
+  double preferred_clearance_m = 0.6;  ///< ways with less cost more
+  double node_spacing_m = 0.2;
+  double clearance_weight = 2.0;  ///< a metre along a wall costs so many metres more than one in the open
+};
+
+/// The cheapest ways from one place to all others.
+struct ShortestPaths {
+  int from = -1;
+  std::vector<float> cost_m;  ///< per node, infinite where no way leads
+  std::vector<int> previous;  ///< node before, -1 at the start
+};
+
+/// Where a body of some size can stand and go: a lattice of nodes, each with clearance, joined to its eight neighbours.
+class MotionMap {
+ public:
+  MotionMap(const OccupancyGrid& map, const MotionOptions& options, const std::vector<BlockedDisc>& blocked = {});
+
+  [[nodiscard]] int size() const { return static_cast<int>(points_.size()); }
+  [[nodiscard]] const Eigen::Vector2d& point(int node) const { return points_[static_cast<std::size_t>(node)]; }
+  /// The nearest node within `reach_m` of the point.
+  [[nodiscard]] std::optional<int> nearest_node(const Eigen::Vector2d& point_in_map, double reach_m) const;
+  [[nodiscard]] ShortestPaths shortest_paths(int from) const;
+  /// The way of `paths` to `node` as few straight pieces, from start to end; empty where no way leads. Corners are cut
+  /// only where that brings it no nearer to walls than it was or than preferred.
+  [[nodiscard]] std::vector<Eigen::Vector2d> way(const ShortestPaths& paths, int node) const;
+  /// The least clearance on the straight line between two points [m].
+  [[nodiscard]] double clearance_m(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+
+ private:
+  struct Edge {
+    int to;
+    float cost_m;
+  };
+  MotionOptions options_;
+  DistanceField clearance_;
+  std::vector<BlockedDisc> blocked_;
+  std::vector<Eigen::Vector2d> points_;
+  std::vector<std::vector<Edge>> edges_;
+};
+
+}  // namespace tandem

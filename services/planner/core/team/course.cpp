@@ -1,0 +1,144 @@
+#include "services/planner/core/team/course.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace tandem {
+namespace {
+
+constexpr double kDetourFactor = 1.5;  ///< how much further than straight a member may walk to a fixed goal
+constexpr double kDetour_m = 4.0;
+constexpr double kWorthwhile = 0.004;  ///< share of the mass left below which the neighbourhood is done
+constexpr int kFarLookouts = 4;
+constexpr double kTimeExponent = 1.5;
+
+bool is_better(const Choice& a, const Choice& b) {
+  return a.score != b.score ? a.score > b.score : a.place < b.place;
+}
+
+}  // namespace
+
+Course::Course(const TeamProblem& problem) : problem_(&problem), mass_(problem.mass), places_(problem.members.size()) {
+  mass_left_ = std::accumulate(mass_.begin(), mass_.end(), 0.0);
+  for (const auto& member : problem.members) {
+    Progress progress;
+    progress.place = member.start;
+    progress.heading_rad = member.heading_rad;
+    if (member.goal && member.actions->leg(member.start, *member.goal).possible()) {
+      progress.goal_ahead = true;
+      progress.detour_left_m = kDetourFactor * member.actions->distance_m(*member.goal, member.start) + kDetour_m;
+    }
+    members_.push_back(progress);
+  }
+}
+
+int Course::next_member() const {
+  int next = -1;
+  int earliest = problem_->horizon_steps;
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    if (members_[m].busy_until >= earliest) continue;
+    earliest = members_[m].busy_until;
+    next = static_cast<int>(m);
+  }
+  return next;
+}
+
+double Course::gain(int member, const Leg& leg) const {
+  const auto& actions = *problem_->members[static_cast<std::size_t>(member)].actions;
+  const double exposure_per_step = actions.searcher().detection_rate_per_s * actions.step_s();
+  double sum = 0.0;
+  for (const auto& [cell, steps] : leg.looks) {
+    const double mass = mass_[static_cast<std::size_t>(cell)];
+    if (mass > 0.0) sum += mass * -std::expm1(-exposure_per_step * steps);
+  }
+  return sum;
+}
+
+double Course::score(int member, int place) const {
+  ActionSet& actions = *problem_->members[static_cast<std::size_t>(member)].actions;
+  const Progress& progress = members_[static_cast<std::size_t>(member)];
+  const Leg& leg = actions.leg(progress.place, place);
+  if (!leg.possible()) return 0.0;
+  const int steps = leg.steps() + actions.turning_steps(progress.heading_rad, leg.initial_heading_rad);
+  return gain(member, leg) / std::pow(steps * actions.step_s(), kTimeExponent);
+}
+
+std::vector<Choice> Course::choices(int member, int count) const {
+  const TeamMember& who = problem_->members[static_cast<std::size_t>(member)];
+  const Progress& progress = members_[static_cast<std::size_t>(member)];
+  std::vector<Choice> choices;
+  double best_gain = 0.0;
+  for (const int lookout : who.actions->nearest_lookouts(progress.place)) {
+    if (progress.goal_ahead &&
+        who.actions->distance_m(progress.place, lookout) + who.actions->distance_m(*who.goal, lookout) >
+            progress.detour_left_m) {
+      continue;
+    }
+    const double its_score = score(member, lookout);
+    if (its_score <= 0.0) continue;
+    best_gain = std::max(best_gain, gain(member, who.actions->leg(progress.place, lookout)));
+    choices.push_back({lookout, its_score});
+  }
+  if (progress.goal_ahead) {
+    choices.push_back({*who.goal, score(member, *who.goal)});
+    // However little is seen on the way, going there is always worth a try.
+    const double best = std::ranges::max(choices, {}, &Choice::score).score;
+    choices.back().score = std::max({choices.back().score, 0.5 * best, 1e-12});
+  } else if (best_gain < kWorthwhile * mass_left_) {
+    add_far_lookouts(member, choices);
+  }
+  std::sort(choices.begin(), choices.end(), is_better);
+  if (static_cast<int>(choices.size()) > count) {
+    const bool goal_lost = progress.goal_ahead && std::none_of(choices.begin(), choices.begin() + count,
+                                                               [&](const Choice& c) { return c.place == *who.goal; });
+    choices.resize(static_cast<std::size_t>(count));
+    if (goal_lost) choices.back() = {*who.goal, choices.back().score};
+  }
+  if (choices.empty()) choices.push_back({});
+  return choices;
+}
+
+void Course::add_far_lookouts(int member, std::vector<Choice>& choices) const {
+  ActionSet& actions = *problem_->members[static_cast<std::size_t>(member)].actions;
+  const int from = members_[static_cast<std::size_t>(member)].place;
+  std::vector<Choice> guesses;
+  for (int lookout = 0; lookout < actions.lookouts(); ++lookout) {
+    if (lookout == from || !actions.is_connected(from, lookout)) continue;
+    double mass = 0.0;
+    for (const int cell : actions.panorama(lookout)) mass += mass_[static_cast<std::size_t>(cell)];
+    if (mass > 0.0)
+      guesses.push_back({lookout, mass / std::pow(1.0 + actions.distance_m(from, lookout), kTimeExponent)});
+  }
+  std::sort(guesses.begin(), guesses.end(), is_better);
+  for (std::size_t i = 0; i < guesses.size() && i < kFarLookouts; ++i) {
+    const int lookout = guesses[i].place;
+    if (std::ranges::find(choices, lookout, &Choice::place) != choices.end()) continue;
+    if (const double its_score = score(member, lookout); its_score > 0.0) choices.push_back({lookout, its_score});
+  }
+}
+
+void Course::choose(int member, int place) {
+  const TeamMember& who = problem_->members[static_cast<std::size_t>(member)];
+  Progress& progress = members_[static_cast<std::size_t>(member)];
+  if (place < 0) {
+    progress.busy_until = problem_->horizon_steps;
+    return;
+  }
+  const Leg& leg = who.actions->leg(progress.place, place);
+  const double exposure_per_step = who.actions->searcher().detection_rate_per_s * who.actions->step_s();
+  for (const auto& [cell, steps] : leg.looks) {
+    double& mass = mass_[static_cast<std::size_t>(cell)];
+    const double kept = mass * std::exp(-exposure_per_step * steps);
+    mass_left_ -= mass - kept;
+    mass = kept;
+  }
+  progress.busy_until += leg.steps() + who.actions->turning_steps(progress.heading_rad, leg.initial_heading_rad);
+  progress.heading_rad = leg.final_heading_rad;
+  progress.detour_left_m -= who.actions->distance_m(progress.place, place);
+  progress.place = place;
+  if (place == who.goal) progress.goal_ahead = false;
+  places_[static_cast<std::size_t>(member)].push_back(place);
+}
+
+}  // namespace tandem

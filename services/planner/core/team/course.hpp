@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "services/planner/core/team/team_problem.hpp"
+
+namespace tandem {
+
+/// Something a member can do next.
+struct Choice {
+  int place = -1;      ///< -1: wait until the horizon
+  double score = 0.0;  ///< new mass per time^1.5, what is promised by others left out
+};
+
+/// A joint plan in the making: who is under way to where, until when, and what mass is not yet promised to be seen.
+///
+/// Time is asynchronous (digest F5-F7): the next to choose is whoever arrives first, the others are still under way.
+/// Two who arrive at the same step choose one after the other, which spans the same joint states as choosing at once.
+class Course {
+ public:
+  explicit Course(const TeamProblem& problem);
+
+  /// Who chooses next, -1 once all are busy until the horizon.
+  [[nodiscard]] int next_member() const;
+  /// The best things `member` can do next, best first, at most `count`; never empty.
+  [[nodiscard]] std::vector<Choice> choices(int member, int count) const;
+  /// The member goes there.
+  void choose(int member, int place);
+
+  [[nodiscard]] const std::vector<std::vector<int>>& places() const { return places_; }
+
+ private:
+  struct Progress {
+    int place = -1;
+    int busy_until = 0;  ///< step
+    double heading_rad = 0.0;
+    bool goal_ahead = false;
+    double detour_left_m = 0.0;  ///< how far it may still walk to the goal
+  };
+  [[nodiscard]] double gain(int member, const Leg& leg) const;
+  [[nodiscard]] double score(int member, int place) const;
+  void add_far_lookouts(int member, std::vector<Choice>& choices) const;
+
+  const TeamProblem* problem_;
+  std::vector<Progress> members_;
+  std::vector<double> mass_;  ///< not yet promised
+  double mass_left_ = 0.0;
+  std::vector<std::vector<int>> places_;
+};
+
+}  // namespace tandem
