@@ -1,0 +1,105 @@
+#include "robot/safety/core/safety_gate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tandem::safety {
+namespace {
+
+constexpr double kUsualScanAge_s = 0.1;  ///< is part of the reaction time
+constexpr double kLongestCycle_s = 0.2;  ///< after a longer pause the robot starts from standing
+
+/// `wanted` as far as `step` above `last` allows; towards zero at once, through zero never.
+double raised(double wanted, double last, double step) {
+  if (wanted == 0.0 || wanted * last < 0.0) return 0.0;
+  return std::copysign(std::min(std::abs(wanted), std::abs(last) + step), wanted);
+}
+
+}  // namespace
+
+SafetyGate::SafetyGate(const GateConfig& config)
+    : config_(config),
+      hull_{config.hull_length_m / 2.0, config.hull_width_m / 2.0},
+      commands_(config_),
+      scans_(config_),
+      motion_(config_),
+      stops_(config_) {}
+
+Causes SafetyGate::causes_of(const GateInput& input, Time now) {
+  Causes causes = requested_ | commands_.causes(now) | scans_.causes(now) | motion_.step(input.base, last_, now);
+  requested_.reset();
+  const auto& people = input.people;
+  const bool people_known = people.age_s && *people.age_s <= config_.people_timeout_s;
+  causes.set(index_of(Cause::PersonClose),
+             people_known && speed_near_person(nearest_person_m(hull_, people), config_.max_speed_mps) == 0.0);
+  if (config_.require_pose && commands_.kind() != CommanderKind::Operator) {
+    const auto& pose = input.pose;
+    const bool stale = !pose.age_s || !(*pose.age_s <= config_.pose_timeout_s);
+    causes.set(index_of(Cause::StalePose), stale);
+    causes.set(index_of(Cause::LostPose), !stale && pose.lost);
+  }
+  if (config_.require_link) {
+    const auto& silent_s = input.link.silent_s;
+    const bool up = silent_s && *silent_s <= config_.link_timeout_s;
+    link_was_up_ = link_was_up_ || up;
+    causes.set(index_of(Cause::LinkLost), !up);
+    causes.set(index_of(Cause::LinkLongLost), link_was_up_ && !(silent_s && *silent_s <= config_.link_latch_s));
+  }
+  return causes;
+}
+
+Motion SafetyGate::without_reverse(Motion wanted) const {
+  if (wanted.forward_mps >= 0.0) return wanted;
+  const bool allowed =
+      commands_.kind() == CommanderKind::Operator && motion_.reversed_m() < config_.max_reverse_distance_m;
+  wanted.forward_mps = allowed ? std::max(wanted.forward_mps, -config_.max_reverse_speed_mps) : 0.0;
+  return wanted;
+}
+
+Motion SafetyGate::ramped(const Motion& wanted, double limit_mps, Time now) const {
+  const double elapsed_s = to_seconds(now - last_time_);
+  const bool continuous = elapsed_s >= 0.0 && elapsed_s <= kLongestCycle_s;
+  const Motion last = continuous ? last_ : Motion{};
+  const double step_s = std::clamp(elapsed_s, 0.0, kLongestCycle_s);
+
+  Motion motion = wanted;
+  const double capped = std::clamp(wanted.forward_mps, -limit_mps, limit_mps);
+  motion.forward_mps = raised(capped, last.forward_mps, config_.acceleration_mps2 * step_s);
+  // A slower robot keeps the shape of its arc.
+  if (wanted.forward_mps != 0.0) motion.turn_rate_radps *= motion.forward_mps / wanted.forward_mps;
+  motion.turn_rate_radps =
+      std::clamp(motion.turn_rate_radps, -config_.max_turn_rate_radps, config_.max_turn_rate_radps);
+  motion.turn_rate_radps =
+      raised(motion.turn_rate_radps, last.turn_rate_radps, config_.turn_acceleration_radps2 * step_s);
+  return motion;
+}
+
+GateDecision SafetyGate::step(const GateInput& input, Time now) {
+  GateDecision decision;
+  Causes causes = causes_of(input, now);
+  stops_.step(causes, now);
+  decision.wanted = commands_.wanted(now);
+  decision.speed_limit_mps = stops_.may_move(now) ? speed_limit_mps(config_, hull_, input.people, input.base) : 0.0;
+
+  if (stops_.may_move(now)) {
+    const Motion candidate = ramped(without_reverse(decision.wanted), decision.speed_limit_mps, now);
+    const double deceleration = input.base.deceleration_mps2 > 0.0
+                                    ? std::min(config_.deceleration_mps2, input.base.deceleration_mps2)
+                                    : config_.deceleration_mps2 / 2.0;
+    const double late_s = std::max(0.0, scans_.age_s(now) - kUsualScanAge_s);
+    const PathLimit path =
+        limited_by_surroundings(config_, hull_, deceleration, late_s, candidate, scans_.points_in_base());
+    decision.motion = path.motion;
+    causes.set(index_of(Cause::ObstacleAhead), path.limited_to_zero);
+  }
+  decision.causes = stops_.open_causes();
+  if (causes.test(index_of(Cause::ObstacleAhead))) decision.causes.set(index_of(Cause::ObstacleAhead));
+  decision.latched = stops_.is_latched();
+  decision.resume_in_s = stops_.resume_in_s(now);
+  decision.battery_warning = motion_.battery_v() && *motion_.battery_v() < config_.battery_warning_v;
+  last_ = decision.motion;
+  last_time_ = now;
+  return decision;
+}
+
+}  // namespace tandem::safety

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "robot/safety/core/command_monitor.hpp"
+#include "robot/safety/core/gate_config.hpp"
+#include "robot/safety/core/motion_monitor.hpp"
+#include "robot/safety/core/scan_monitor.hpp"
+#include "robot/safety/core/speed_limits.hpp"
+#include "robot/safety/core/stop_rules.hpp"
+#include "robot/safety/core/stop_state.hpp"
+
+namespace tandem::safety {
+
+/// What localization says.
+struct PoseInput {
+  std::optional<double> age_s;  ///< none if there never was a pose
+  bool lost = false;
+};
+
+/// What the relay says of the link to the operator.
+struct LinkInput {
+  std::optional<double> silent_s;  ///< since the other side was heard; none if it never was
+};
+
+/// Everything the gate looks at in one cycle, besides the commands and scans it was given.
+struct GateInput {
+  BaseInput base;
+  PeopleInput people;
+  PoseInput pose;
+  LinkInput link;
+};
+
+struct GateDecision {
+  Motion motion;                 ///< what the wheels are told
+  double speed_limit_mps = 0.0;  ///< whatever is asked for
+  Causes causes;                 ///< why it stands, or stood until somebody resumes; none while free to move
+  bool latched = false;
+  double resume_in_s = 0.0;
+  bool battery_warning = false;
+  Motion wanted;  ///< what was asked for
+};
+
+/// The last thing before the wheels: whatever is asked, they are told no more than is safe by the robot's own scan.
+///
+/// Values in, values out; knows no clock, no bus and no device. A cycle allocates nothing. See docs/safety.md.
+class SafetyGate {
+ public:
+  explicit SafetyGate(const GateConfig& config);
+  SafetyGate(const SafetyGate&) = delete;  // its parts share one config
+  SafetyGate& operator=(const SafetyGate&) = delete;
+
+  void take_command(const CommandSample& command, Time now) { commands_.take(command, now); }
+  void take_scan(const ScanView& scan, const Pose2& odom_from_base, Time now) {
+    scans_.take(scan, odom_from_base, now);
+  }
+  /// Somebody pressed STOP, or (not latched) asked for a pause.
+  void take_stop(bool latched) { requested_.set(index_of(latched ? Cause::StopRequested : Cause::PauseRequested)); }
+  /// The service died while the motors were on: nothing moves before somebody resumes.
+  void take_unclean_start() { requested_.set(index_of(Cause::UncleanStart)); }
+  /// Empty if granted, else why not.
+  [[nodiscard]] std::string_view take_resume(double held_s, Time now) { return stops_.resume(held_s, now); }
+
+  /// Decides for one cycle, 20 times a second and whenever the base reports a contact.
+  [[nodiscard]] GateDecision step(const GateInput& input, Time now);
+
+  [[nodiscard]] std::uint64_t rejected_commands() const { return commands_.rejected(); }
+
+ private:
+  [[nodiscard]] Causes causes_of(const GateInput& input, Time now);
+  [[nodiscard]] Motion ramped(const Motion& wanted, double limit_mps, Time now) const;
+  [[nodiscard]] Motion without_reverse(Motion wanted) const;
+
+  const GateConfig config_;
+  const Hull hull_;
+  CommandMonitor commands_;
+  ScanMonitor scans_;
+  MotionMonitor motion_;
+  StopState stops_;
+  Causes requested_;  ///< momentary causes, until the next cycle
+  bool link_was_up_ = false;
+  Motion last_;
+  Time last_time_{};
+};
+
+}  // namespace tandem::safety

@@ -1,0 +1,42 @@
+#include "robot/safety/core/stop_state.hpp"
+
+#include <algorithm>
+
+namespace tandem::safety {
+
+void StopState::step(const Causes& holding, Time now) {
+  static const Causes kStops = ~causes_with(Resume::AtOnce);
+  static const Causes kLatching = causes_with(Resume::Latched);
+  holding_ = holding & kStops;
+  latched_ |= holding_ & kLatching;
+  if (holding_.any()) {
+    stopped_ = true;
+    free_at_.reset();
+  } else if (stopped_ && latched_.none() && !free_at_) {
+    free_at_ = now + from_seconds(config_.healthy_s + config_.warning_s);
+  }
+}
+
+std::string_view StopState::resume(double held_s, Time now) {
+  // Commands that ceased are no danger to resume from: nothing moves before new ones come.
+  Causes still_holding = holding_;
+  still_holding.reset(index_of(Cause::StaleCommand));
+  if (!(held_s >= config_.resume_hold_s)) return "hold the button longer";
+  for (const StopRule& rule : kStopRules) {
+    if (still_holding.test(index_of(rule.cause))) return rule.message;
+  }
+  if (latched_.none()) return "nothing to resume";
+  latched_.reset();
+  if (holding_.none()) free_at_ = now + from_seconds(config_.warning_s);
+  return {};
+}
+
+bool StopState::may_move(Time now) const {
+  return holding_.none() && latched_.none() && (!stopped_ || (free_at_ && now >= *free_at_));
+}
+
+double StopState::resume_in_s(Time now) const {
+  return free_at_ && latched_.none() ? std::max(0.0, to_seconds(*free_at_ - now)) : 0.0;
+}
+
+}  // namespace tandem::safety
