@@ -2,8 +2,6 @@
 // Private to the one translation unit of tandem_net that knows Boost and TLS streams: it costs a minute and over a
 // gigabyte to compile, so nothing else may include it.
 
-#include <utility>  // Boost 1.81's awaitable.hpp uses std::exchange without it
-
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/co_spawn.hpp>
@@ -21,6 +19,7 @@
 #include <boost/beast/ssl.hpp>
 #include <boost/beast/websocket.hpp>
 #include <boost/beast/websocket/ssl.hpp>
+#include <utility>  // Boost 1.81's awaitable.hpp uses std::exchange without it
 
 namespace tandem::net {
 

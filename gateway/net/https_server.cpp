@@ -23,7 +23,9 @@ constexpr const char* kContentPolicy =
 constexpr std::uint16_t kTooSlow = 4008;
 constexpr std::uint16_t kGoingAway = 1001;
 
-std::string text_of(beast::string_view view) { return {view.data(), view.size()}; }
+std::string text_of(beast::string_view view) {
+  return {view.data(), view.size()};
+}
 
 HttpRequest plain(const Request& request, const std::string& address) {
   return {.method = text_of(request.method_string()),
@@ -52,7 +54,9 @@ Response response_to(const Request& request, const HttpResponse& answer) {
   return response;
 }
 
-HttpResponse plain_error(int status, const std::string& text) { return {status, "text/plain", text + "\n", ""}; }
+HttpResponse plain_error(int status, const std::string& text) {
+  return {status, "text/plain", text + "\n", ""};
+}
 
 }  // namespace
 
@@ -95,7 +99,9 @@ class HttpsServer::Server {
     asio::post(io_, [this] {
       error_code ignored;
       acceptor_.close(ignored);
+      ending_ = true;
       for (auto& [id, socket] : sockets_) socket->ask_to_close(kGoingAway, "gateway ends");
+      if (sockets_.empty()) io_.stop();
       auto patience = std::make_shared<asio::steady_timer>(io_, std::chrono::milliseconds{300});
       patience->async_wait([this, patience](error_code) { io_.stop(); });
     });
@@ -294,6 +300,7 @@ class HttpsServer::Server {
     sockets_.erase(id);
     socket->ask_to_close(kGoingAway, "closed");
     put({SocketEvent::Kind::Closed, id, socket->session, ""});
+    if (ending_ && sockets_.empty()) io_.stop();
   }
 
   /// Writes what waits, one frame at a time; ends the connection when a frame does not leave within the deadline.
@@ -342,10 +349,11 @@ class HttpsServer::Server {
   std::size_t total_ = 0;
   std::map<std::string, std::size_t> count_;
   SocketId last_id_ = 0;
-  std::mutex mutex_;                          ///< guards the next two
+  bool ending_ = false;
+  std::mutex mutex_;  ///< guards the next two
   std::vector<SocketEvent> events_;
   std::map<SocketId, std::size_t> unread_;
-  asio::io_context io_{1};                    ///< what follows lives in it
+  asio::io_context io_{1};  ///< what follows lives in it
   ssl::context tls_;
   tcp::acceptor acceptor_;
   std::map<SocketId, std::shared_ptr<Socket>> sockets_;  ///< shared by the two coroutines of a socket
@@ -358,9 +366,13 @@ HttpsServer::HttpsServer(const Options& options, const Certificate& certificate,
 
 HttpsServer::~HttpsServer() = default;
 
-std::uint16_t HttpsServer::port() const { return server_->port(); }
+std::uint16_t HttpsServer::port() const {
+  return server_->port();
+}
 
-std::vector<SocketEvent> HttpsServer::take() { return server_->take(); }
+std::vector<SocketEvent> HttpsServer::take() {
+  return server_->take();
+}
 
 void HttpsServer::send(SocketId socket, std::string text) {
   server_->with_socket(socket, [text = std::move(text)](Socket& open) mutable {

@@ -14,10 +14,10 @@ namespace tandem::net {
 
 /// A file of the web page, compiled into the program.
 struct Asset {
-  std::string_view path;          ///< "/assets/index-1a2b.js"
+  std::string_view path;  ///< "/assets/index-1a2b.js"
   std::string_view content_type;
   std::string_view content;
-  bool immutable = false;         ///< its name carries a hash of its content
+  bool immutable = false;  ///< its name carries a hash of its content
 };
 
 struct HttpRequest {
@@ -35,13 +35,13 @@ struct HttpResponse {
   int status = 200;
   std::string content_type = "application/json";
   std::string body;
-  std::string set_cookie;         ///< empty: none
+  std::string set_cookie;  ///< empty: none
 };
 
 /// Answer to a WebSocket upgrade: 101 lets it in, anything else is the HTTP status of the refusal.
 struct Admission {
   int status = 401;
-  std::string session;            ///< handed back with every event of the socket
+  std::string session;  ///< handed back with every event of the socket
 };
 
 /// Decides who may do what. Asked on the server's own thread: implementations guard their data.
@@ -58,15 +58,15 @@ class Gatekeeper {
 struct ServerLimits {
   std::uint32_t header_bytes = 8 * 1024;
   std::uint64_t body_bytes = 16 * 1024;
-  std::size_t message_bytes = 16 * 1024;         ///< of a WebSocket message from a phone
+  std::size_t message_bytes = 16 * 1024;  ///< of a WebSocket message from a phone
   std::size_t connections = 64;
   std::size_t connections_per_address = 8;
-  std::size_t queued_messages = 256;             ///< per phone, then it is closed with 4008
+  std::size_t queued_messages = 256;  ///< per phone, then it is closed with 4008
   std::size_t queued_bytes = 256 * 1024;
-  std::size_t unread_messages = 512;             ///< of one phone, taken by nobody yet, then it is closed with 4008
+  std::size_t unread_messages = 512;  ///< of one phone, taken by nobody yet, then it is closed with 4008
   std::chrono::milliseconds handshake{10'000};
   std::chrono::milliseconds header{5'000};
-  std::chrono::milliseconds idle{20'000};        ///< pinged after half of it
+  std::chrono::milliseconds idle{20'000};  ///< pinged after half of it
   std::chrono::milliseconds write{5'000};
 };
 
@@ -77,7 +77,7 @@ struct SocketEvent {
   enum class Kind { Opened, Text, Closed };
   Kind kind = Kind::Opened;
   SocketId socket = 0;
-  std::string session;            ///< from the Gatekeeper
+  std::string session;  ///< from the Gatekeeper
   std::string text;
 };
 
@@ -88,7 +88,7 @@ class HttpsServer {
  public:
   struct Options {
     std::string address = "0.0.0.0";
-    std::uint16_t port = 0;                      ///< 0: any free one
+    std::uint16_t port = 0;  ///< 0: any free one
     std::string subprotocol = "tandem.v1";
     ServerLimits limits;
   };

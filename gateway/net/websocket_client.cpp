@@ -87,6 +87,7 @@ class WebSocketClient::Client {
     while (!ending_) {
       if (cookie_.empty()) co_await pair();
       if (!cookie_.empty()) co_await converse();
+      if (ending_) io_.stop();
       if (ending_ || state() == State::Refused) co_return;
       set(State::Connecting, std::nullopt);
       pause_.expires_after(options_.retry);
@@ -230,16 +231,16 @@ class WebSocketClient::Client {
   Options options_;
   std::string cookie_;
   bool ending_ = false;
-  mutable std::mutex mutex_;          ///< guards the next six
+  mutable std::mutex mutex_;  ///< guards the next six
   State state_ = State::Connecting;
   std::string reason_;
   std::uint64_t connections_ = 0;
   std::deque<std::string> outgoing_;
   std::vector<std::string> texts_;
   std::vector<std::string> binaries_;
-  asio::io_context io_{1};            ///< what follows lives in it
+  asio::io_context io_{1};  ///< what follows lives in it
   ssl::context tls_;
-  asio::steady_timer wake_;           ///< cancelled when there is something to write
+  asio::steady_timer wake_;  ///< cancelled when there is something to write
   asio::steady_timer pause_;
   std::thread thread_;
 };
@@ -249,11 +250,23 @@ WebSocketClient::WebSocketClient(PairingLink link, Options options)
 
 WebSocketClient::~WebSocketClient() = default;
 
-WebSocketClient::State WebSocketClient::state() const { return client_->state(); }
-std::string WebSocketClient::reason() const { return client_->reason(); }
-std::uint64_t WebSocketClient::connections() const { return client_->connections(); }
-bool WebSocketClient::send(std::string text) { return client_->send(std::move(text)); }
-std::vector<std::string> WebSocketClient::take() { return client_->take(); }
-std::vector<std::string> WebSocketClient::take_binary() { return client_->take_binary(); }
+WebSocketClient::State WebSocketClient::state() const {
+  return client_->state();
+}
+std::string WebSocketClient::reason() const {
+  return client_->reason();
+}
+std::uint64_t WebSocketClient::connections() const {
+  return client_->connections();
+}
+bool WebSocketClient::send(std::string text) {
+  return client_->send(std::move(text));
+}
+std::vector<std::string> WebSocketClient::take() {
+  return client_->take();
+}
+std::vector<std::string> WebSocketClient::take_binary() {
+  return client_->take_binary();
+}
 
 }  // namespace tandem::net

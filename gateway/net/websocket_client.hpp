@@ -19,12 +19,12 @@ class WebSocketClient {
   enum class State {
     Connecting,  ///< pairing, or opening the socket, or waiting before the next try
     Connected,
-    Refused,     ///< for good: wrong fingerprint, used or expired token, unknown session
+    Refused,  ///< for good: wrong fingerprint, used or expired token, unknown session
   };
   struct Options {
     std::string subprotocol = "tandem.v1";
     std::chrono::milliseconds retry{1'000};
-    std::chrono::milliseconds timeout{10'000};   ///< of each step of pairing and opening
+    std::chrono::milliseconds timeout{10'000};  ///< of each step of pairing and opening
   };
 
   explicit WebSocketClient(PairingLink link) : WebSocketClient(std::move(link), Options{}) {}

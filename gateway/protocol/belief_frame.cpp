@@ -10,7 +10,9 @@ void append(std::string& bytes, Unsigned value) {
   for (std::size_t i = 0; i < sizeof(Unsigned); ++i) bytes += static_cast<char>((value >> (8 * i)) & 0xff);
 }
 
-void append(std::string& bytes, float value) { append(bytes, std::bit_cast<std::uint32_t>(value)); }
+void append(std::string& bytes, float value) {
+  append(bytes, std::bit_cast<std::uint32_t>(value));
+}
 
 }  // namespace
 

@@ -12,10 +12,10 @@ struct BeliefGrid {
   std::uint16_t width = 0;
   std::uint16_t height = 0;
   float resolution_m = 0.0F;
-  float x0_m = 0.0F;                    ///< corner of cell (0, 0)
+  float x0_m = 0.0F;  ///< corner of cell (0, 0)
   float y0_m = 0.0F;
   std::uint32_t revision = 0;
-  std::vector<std::uint8_t> cells;      ///< 0 to 254: share of the peak; 255: not searched
+  std::vector<std::uint8_t> cells;  ///< 0 to 254: share of the peak; 255: not searched
 };
 
 [[nodiscard]] std::string write(const BeliefGrid& grid);

@@ -10,8 +10,8 @@
 namespace tandem::protocol {
 namespace {
 
-constexpr double kFar = 1e5;            // [m] no map is larger
-constexpr double kLong = 1e12;          // [ms]
+constexpr double kFar = 1e5;                            // [m] no map is larger
+constexpr double kLong = 1e12;                          // [ms]
 constexpr std::uint64_t kMany = 9'007'199'254'740'991;  // 2^53 - 1: what a phone can count to
 
 constexpr std::array<std::pair<CommandKind, std::string_view>, 10> kKinds{{
@@ -108,7 +108,9 @@ bool names_a_place(CommandKind kind) {
   }
 }
 
-std::string_view name_of(CommandKind kind) { return kKinds[static_cast<std::size_t>(kind)].second; }
+std::string_view name_of(CommandKind kind) {
+  return kKinds[static_cast<std::size_t>(kind)].second;
+}
 
 std::variant<ClientMessage, Malformed> parse_client_message(std::string_view text) {
   std::string reason;
@@ -132,7 +134,9 @@ std::variant<ClientMessage, Malformed> parse_client_message(std::string_view tex
   return message;
 }
 
-std::string write(const ClientMessage& message) { return std::visit(Writer{}, message).dump(); }
+std::string write(const ClientMessage& message) {
+  return std::visit(Writer{}, message).dump();
+}
 
 std::optional<std::string> parse_pairing_request(std::string_view body) {
   std::string reason;

@@ -20,7 +20,8 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
-// Phone -> gateway -----------------------------------------------------------------------------------------------------
+// Phone -> gateway
+// -----------------------------------------------------------------------------------------------------
 
 enum class CommandKind {
   MyPose,
@@ -38,13 +39,13 @@ enum class CommandKind {
 /// Something the person asks for. `sequence` counts the commands of `client` from 1 without gaps; the phone repeats a
 /// command after every reconnection until an Ack covers it, and the gateway applies it once.
 struct Command {
-  std::string client;                   ///< drawn by the phone once, 8 to 64 letters, digits, '-'
+  std::string client;  ///< drawn by the phone once, 8 to 64 letters, digits, '-'
   std::uint64_t sequence = 0;
   CommandKind kind = CommandKind::Replan;
-  std::optional<Point> point_in_map;    ///< for the kinds that name a place, and only for them
-  std::optional<double> heading;        ///< [rad] of MyPose or RobotPose, where the phone knows it
-  double age_ms = 0.0;                  ///< since the press, when it is sent, on the phone's monotonic clock
-  double held_ms = 0.0;                 ///< Resume: how long the button was held
+  std::optional<Point> point_in_map;  ///< for the kinds that name a place, and only for them
+  std::optional<double> heading;      ///< [rad] of MyPose or RobotPose, where the phone knows it
+  double age_ms = 0.0;                ///< since the press, when it is sent, on the phone's monotonic clock
+  double held_ms = 0.0;               ///< Resume: how long the button was held
 
   friend bool operator==(const Command&, const Command&) = default;
 };
@@ -58,8 +59,8 @@ struct Seen {
 
 /// A reminder fired on the phone, or was obeyed.
 struct Trigger {
-  std::string kind;                     ///< toast, popup, multimodal, counters
-  double fired_at_ms = 0.0;             ///< the phone's monotonic clock
+  std::string kind;          ///< toast, popup, multimodal, counters
+  double fired_at_ms = 0.0;  ///< the phone's monotonic clock
   double threshold_ms = 0.0;
   std::optional<double> obeyed_after_ms;
 
@@ -67,23 +68,24 @@ struct Trigger {
 };
 
 struct Ping {
-  double sent_at_ms = 0.0;              ///< the phone's monotonic clock; comes back in the Pong
+  double sent_at_ms = 0.0;  ///< the phone's monotonic clock; comes back in the Pong
 
   friend bool operator==(const Ping&, const Ping&) = default;
 };
 
 using ClientMessage = std::variant<Command, Seen, Trigger, Ping>;
 
-// Gateway -> phone -----------------------------------------------------------------------------------------------------
+// Gateway -> phone
+// -----------------------------------------------------------------------------------------------------
 
 enum class UserRole { Observer, Participant, Operator };
 
 /// First message on every connection.
 struct Hello {
   int version = kVersion;
-  std::string epoch;                    ///< of the gateway: another one has forgotten the phones' commands
+  std::string epoch;  ///< of the gateway: another one has forgotten the phones' commands
   UserRole role = UserRole::Observer;
-  std::string agent;                    ///< whose phone this is: a code, "person1"
+  std::string agent;  ///< whose phone this is: a code, "person1"
   std::string robot;
   std::string mode = "human_robot";
 
@@ -93,7 +95,7 @@ struct Hello {
 struct RobotState {
   Point position;
   double heading = 0.0;
-  std::string status;                   ///< ok, uncertain, lost
+  std::string status;  ///< ok, uncertain, lost
   double age_s = 0.0;
 
   friend bool operator==(const RobotState&, const RobotState&) = default;
@@ -102,7 +104,7 @@ struct RobotState {
 struct PersonState {
   Point position;
   double heading = 0.0;
-  std::string source;                   ///< laser, message, predicted
+  std::string source;  ///< laser, message, predicted
   bool tracked = false;
   double age_s = 0.0;
 
@@ -110,9 +112,9 @@ struct PersonState {
 };
 
 struct PlannerState {
-  std::string activity = "unknown";     ///< idle, computing, failed, finished, unknown
+  std::string activity = "unknown";  ///< idle, computing, failed, finished, unknown
   double computing_s = 0.0;
-  double progress = 0.0;                ///< [0, 1]
+  double progress = 0.0;  ///< [0, 1]
   std::string reason;
 
   friend bool operator==(const PlannerState&, const PlannerState&) = default;
@@ -122,17 +124,17 @@ struct BaseState {
   bool connected = false;
   bool moving = false;
   bool blocked = false;
-  bool latched = false;                 ///< stopped until somebody resumes
+  bool latched = false;  ///< stopped until somebody resumes
   std::vector<std::string> stop_reasons;
   double resume_in_s = 0.0;
   double battery_v = 0.0;
-  std::string waits_for;                ///< why it stands still, for people
+  std::string waits_for;  ///< why it stands still, for people
 
   friend bool operator==(const BaseState&, const BaseState&) = default;
 };
 
 struct LinkState {
-  std::string quality = "unknown";      ///< good, weak, one_way, lost, unknown
+  std::string quality = "unknown";  ///< good, weak, one_way, lost, unknown
   double round_trip_ms = 0.0;
 
   friend bool operator==(const LinkState&, const LinkState&) = default;
@@ -146,13 +148,13 @@ struct State {
   PlannerState planner;
   BaseState base;
   LinkState link;
-  double explored = 0.0;                ///< [0, 1] of the searched area
+  double explored = 0.0;  ///< [0, 1] of the searched area
 
   friend bool operator==(const State&, const State&) = default;
 };
 
 struct PathPoint {
-  double time_s = 0.0;                  ///< since the plan was made
+  double time_s = 0.0;  ///< since the plan was made
   Point point;
 
   friend bool operator==(const PathPoint&, const PathPoint&) = default;
@@ -162,16 +164,16 @@ struct Path {
   std::string agent;
   std::vector<PathPoint> points;
   Point goal;
-  bool goal_fixed = false;              ///< a person chose it
+  bool goal_fixed = false;  ///< a person chose it
 
   friend bool operator==(const Path&, const Path&) = default;
 };
 
 struct Plan {
-  std::string id;                       ///< empty: there is no plan
-  std::string state = "none";           ///< proposed, accepted, rejected, superseded, none
-  std::string role = "none";            ///< leader_follower, peer_peer, master_slave, leader_leader, none
-  std::string reason;                   ///< why this plan, for people
+  std::string id;              ///< empty: there is no plan
+  std::string state = "none";  ///< proposed, accepted, rejected, superseded, none
+  std::string role = "none";   ///< leader_follower, peer_peer, master_slave, leader_leader, none
+  std::string reason;          ///< why this plan, for people
   double probability_found = 0.0;
   std::vector<Path> paths;
 
@@ -182,7 +184,7 @@ struct Plan {
 struct Map {
   struct Run {
     std::uint32_t count = 0;
-    std::uint8_t value = 0;             ///< 0 free, 100 occupied, 255 unknown
+    std::uint8_t value = 0;  ///< 0 free, 100 occupied, 255 unknown
 
     friend bool operator==(const Run&, const Run&) = default;
   };
@@ -190,8 +192,8 @@ struct Map {
   double resolution_m = 0.0;
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  Point origin;                         ///< corner of cell (0, 0)
-  double heading = 0.0;                 ///< of the rows [rad]
+  Point origin;          ///< corner of cell (0, 0)
+  double heading = 0.0;  ///< of the rows [rad]
   std::vector<Run> runs;
 
   friend bool operator==(const Map&, const Map&) = default;
@@ -199,8 +201,8 @@ struct Map {
 
 struct Result {
   std::uint64_t sequence = 0;
-  std::string outcome;                  ///< applied, refused
-  std::string reason;                   ///< of a refusal
+  std::string outcome;  ///< applied, refused
+  std::string reason;   ///< of a refusal
 
   friend bool operator==(const Result&, const Result&) = default;
 };
@@ -216,7 +218,7 @@ struct Ack {
 
 /// Something happened.
 struct Event {
-  std::string kind;                     ///< found, error, inform
+  std::string kind;  ///< found, error, inform
   std::string text;
   std::optional<Point> point_in_map;
 
@@ -231,7 +233,8 @@ struct Pong {
 
 using ServerMessage = std::variant<Hello, State, Plan, Map, Ack, Event, Pong>;
 
-// Text -----------------------------------------------------------------------------------------------------------------
+// Text
+// -----------------------------------------------------------------------------------------------------------------
 
 /// Why a text is not a message.
 struct Malformed {

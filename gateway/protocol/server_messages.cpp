@@ -6,13 +6,15 @@
 namespace tandem::protocol {
 namespace {
 
-constexpr double kFar = 1e5;    // [m]
-constexpr double kTurn = 6.3;   // [rad]
-constexpr double kLong = 1e12;  // [ms]
+constexpr double kFar = 1e5;                            // [m]
+constexpr double kTurn = 6.3;                           // [rad]
+constexpr double kLong = 1e12;                          // [ms]
 constexpr std::uint64_t kMany = 9'007'199'254'740'991;  // 2^53 - 1
 constexpr std::uint64_t kCells = 100'000'000;
 
-Point read_point(ObjectReader& reader) { return {reader.number("x", -kFar, kFar), reader.number("y", -kFar, kFar)}; }
+Point read_point(ObjectReader& reader) {
+  return {reader.number("x", -kFar, kFar), reader.number("y", -kFar, kFar)};
+}
 
 Hello read_hello(ObjectReader& reader) {
   Hello hello;
@@ -148,8 +150,8 @@ Ack read_ack(ObjectReader& reader, std::string& reason) {
   for (const auto& json : reader.array("results")) {
     ObjectReader one{json, reason};
     if (!reason.empty()) return ack;
-    ack.results.push_back({one.count("sequence", 1, kMany), one.word("outcome", {"applied", "refused"}),
-                           one.text("reason", 0, 500)});
+    ack.results.push_back(
+        {one.count("sequence", 1, kMany), one.word("outcome", {"applied", "refused"}), one.text("reason", 0, 500)});
     (void)one.complete();
   }
   return ack;
@@ -165,8 +167,10 @@ Event read_event(ObjectReader& reader) {
 
 struct Writer {
   Json operator()(const Hello& hello) const {
-    return {{"type", "hello"},   {"version", hello.version}, {"epoch", hello.epoch}, {"role", std::string{name_of(hello.role)}},
-            {"agent", hello.agent}, {"robot", hello.robot},     {"mode", hello.mode}};
+    return {{"type", "hello"},      {"version", hello.version},
+            {"epoch", hello.epoch}, {"role", std::string{name_of(hello.role)}},
+            {"agent", hello.agent}, {"robot", hello.robot},
+            {"mode", hello.mode}};
   }
   Json operator()(const State& state) const {
     Json json{{"type", "state"},
@@ -195,7 +199,7 @@ struct Writer {
                        {"age_s", state.robot->age_s}};
     }
     if (state.person) {
-      json["person"] = {{"x", state.person->position.x},   {"y", state.person->position.y},
+      json["person"] = {{"x", state.person->position.x},    {"y", state.person->position.y},
                         {"heading", state.person->heading}, {"source", state.person->source},
                         {"tracked", state.person->tracked}, {"age_s", state.person->age_s}};
     }
@@ -211,20 +215,16 @@ struct Writer {
                        {"goal_fixed", path.goal_fixed},
                        {"points", std::move(points)}});
     }
-    return {{"type", "plan"},
-            {"id", plan.id},
-            {"state", plan.state},
-            {"role", plan.role},
-            {"reason", plan.reason},
-            {"probability_found", plan.probability_found},
+    return {{"type", "plan"},           {"id", plan.id},         {"state", plan.state},
+            {"role", plan.role},        {"reason", plan.reason}, {"probability_found", plan.probability_found},
             {"paths", std::move(paths)}};
   }
   Json operator()(const Map& map) const {
     Json runs = Json::array();
     for (const auto& run : map.runs) runs.push_back(Json::array({run.count, run.value}));
-    return {{"type", "map"},        {"id", map.id},       {"resolution_m", map.resolution_m},
-            {"width", map.width},   {"height", map.height}, {"x", map.origin.x},
-            {"y", map.origin.y},    {"heading", map.heading}, {"runs", std::move(runs)}};
+    return {{"type", "map"},      {"id", map.id},           {"resolution_m", map.resolution_m},
+            {"width", map.width}, {"height", map.height},   {"x", map.origin.x},
+            {"y", map.origin.y},  {"heading", map.heading}, {"runs", std::move(runs)}};
   }
   Json operator()(const Ack& ack) const {
     Json results = Json::array();
@@ -285,6 +285,8 @@ std::variant<ServerMessage, Malformed> parse_server_message(std::string_view tex
   return message;
 }
 
-std::string write(const ServerMessage& message) { return std::visit(Writer{}, message).dump(-1, ' ', false, Json::error_handler_t::replace); }
+std::string write(const ServerMessage& message) {
+  return std::visit(Writer{}, message).dump(-1, ' ', false, Json::error_handler_t::replace);
+}
 
 }  // namespace tandem::protocol

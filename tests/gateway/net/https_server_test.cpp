@@ -32,7 +32,8 @@ class OneToken final : public Gatekeeper {
     return HttpResponse{403, "text/plain", "", ""};
   }
   HttpResponse post(const HttpRequest& request) override {
-    if (request.target != "/api/pair" || request.body != R"({"token":"good"})" || used_) return {403, "text/plain", "", ""};
+    if (request.target != "/api/pair" || request.body != R"({"token":"good"})" || used_)
+      return {403, "text/plain", "", ""};
     used_ = true;
     return {200, "application/json", "{}", "__Host-sid=s3cret; Path=/; Secure; HttpOnly; SameSite=Strict"};
   }

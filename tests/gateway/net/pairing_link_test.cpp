@@ -13,9 +13,9 @@ TEST(PairingLink, IsReadAsItIsWritten) {
 }
 
 TEST(PairingLink, RefusesWhatIsNone) {
-  for (const char* text : {"", "http://a:1/p#t=1&fp=2", "https://a/p#t=1&fp=2", "https://a:0/p#t=1&fp=2",
-                           "https://a:70000/p#t=1&fp=2", "https://a:1/p#t=&fp=2", "https://a:1/p#t=1&fp=",
-                           "https://a:1/p#t=1\"&fp=2", "https://:1/p#t=1&fp=2"}) {
+  for (const char* text :
+       {"", "http://a:1/p#t=1&fp=2", "https://a/p#t=1&fp=2", "https://a:0/p#t=1&fp=2", "https://a:70000/p#t=1&fp=2",
+        "https://a:1/p#t=&fp=2", "https://a:1/p#t=1&fp=", "https://a:1/p#t=1\"&fp=2", "https://:1/p#t=1&fp=2"}) {
     EXPECT_FALSE(parse_pairing_link(text)) << text;
   }
 }

@@ -20,7 +20,9 @@ std::vector<std::filesystem::path> examples(const std::string& folder) {
   return files;
 }
 
-bool is_client(const std::filesystem::path& file) { return file.filename().string().rfind("client_", 0) == 0; }
+bool is_client(const std::filesystem::path& file) {
+  return file.filename().string().rfind("client_", 0) == 0;
+}
 
 /// Empty when the file's message is good, else why it is not.
 std::string verdict(const std::filesystem::path& file) {
