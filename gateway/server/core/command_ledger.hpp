@@ -33,7 +33,7 @@ class CommandLedger {
   struct Client {
     std::uint64_t up_to = 0;
     std::vector<protocol::Result> results;
-    std::uint64_t used = 0;                ///< when, to forget the least recently used
+    std::uint64_t used = 0;  ///< when, to forget the least recently used
   };
   void forget_the_oldest();
 

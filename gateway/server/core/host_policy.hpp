@@ -7,8 +7,8 @@
 
 namespace tandem::gateway {
 
-/// Which Host and Origin headers are ours: exact matches only. A foreign Host is DNS rebinding, a foreign Origin another
-/// page that uses the phone's cookie.
+/// Which Host and Origin headers are ours: exact matches only. A foreign Host is DNS rebinding, a foreign Origin
+/// another page that uses the phone's cookie.
 class HostPolicy {
  public:
   HostPolicy(const std::vector<std::string>& names, std::uint16_t port) {

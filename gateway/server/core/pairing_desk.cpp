@@ -27,8 +27,8 @@ PairingDesk::Outcome PairingDesk::redeem(const std::string& token, const std::st
     return {std::nullopt, Refusal::Locked};
   }
   const std::string digest = secrets_.digest(token);
-  const auto found = std::find_if(tokens_.begin(), tokens_.end(),
-                                  [&](const auto& one) { return one.second.digest == digest; });
+  const auto found =
+      std::find_if(tokens_.begin(), tokens_.end(), [&](const auto& one) { return one.second.digest == digest; });
   if (found == tokens_.end() || now >= found->second.expires) {
     note_failure(address, now);
     return {std::nullopt, Refusal::WrongToken};
@@ -52,7 +52,9 @@ std::optional<PairingDesk::Session> PairingDesk::session_of(const std::string& s
   return Session{found->first, found->second.slot};
 }
 
-std::vector<std::string> PairingDesk::take_ended() { return std::exchange(ended_, {}); }
+std::vector<std::string> PairingDesk::take_ended() {
+  return std::exchange(ended_, {});
+}
 
 void PairingDesk::note_failure(const std::string& address, Time now) {
   if (failures_.size() >= kRememberedAddresses) {

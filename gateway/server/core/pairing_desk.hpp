@@ -15,7 +15,7 @@ namespace tandem::gateway {
 struct PairingRules {
   Duration token_life = from_seconds(300.0);
   Duration session_life = from_seconds(8 * 3600.0);
-  int failures_per_minute = 5;             ///< of one address; then it is locked out
+  int failures_per_minute = 5;  ///< of one address; then it is locked out
   Duration lock = from_seconds(60.0);
 };
 
@@ -23,7 +23,7 @@ struct PairingRules {
 struct Slot {
   std::string name;
   protocol::UserRole role = protocol::UserRole::Observer;
-  std::string agent;                       ///< empty for those who only look
+  std::string agent;  ///< empty for those who only look
   bool exclusive = false;
 
   friend bool operator==(const Slot&, const Slot&) = default;
@@ -31,8 +31,8 @@ struct Slot {
 
 /// Where secrets come from; handed in, so that tests know them.
 struct Secrets {
-  std::function<std::string()> new_token;      ///< 128 bits
-  std::function<std::string()> new_session;    ///< 256 bits
+  std::function<std::string()> new_token;    ///< 128 bits
+  std::function<std::string()> new_session;  ///< 256 bits
   std::function<std::string(const std::string&)> digest;
 };
 
@@ -48,19 +48,19 @@ class PairingDesk {
 
   enum class Refusal { WrongToken, Locked };
   struct Paired {
-    std::string session;                   ///< the secret for the cookie
+    std::string session;  ///< the secret for the cookie
     Slot slot;
   };
   struct Outcome {
     std::optional<Paired> paired;
     Refusal refusal = Refusal::WrongToken;
   };
-  /// Trades `token` for a session. An address that guesses wrong too often is locked out for a while, whatever it brings.
-  /// A phone that takes an exclusive slot ends the session of the one before.
+  /// Trades `token` for a session. An address that guesses wrong too often is locked out for a while, whatever it
+  /// brings. A phone that takes an exclusive slot ends the session of the one before.
   [[nodiscard]] Outcome redeem(const std::string& token, const std::string& address, Time now);
 
   struct Session {
-    std::string id;                        ///< digest of the secret: safe to keep and to log
+    std::string id;  ///< digest of the secret: safe to keep and to log
     Slot slot;
   };
   [[nodiscard]] std::optional<Session> session_of(const std::string& secret, Time now) const;
@@ -85,8 +85,8 @@ class PairingDesk {
 
   PairingRules rules_;
   Secrets secrets_;
-  std::map<std::string, Token> tokens_;    ///< by slot
-  std::map<std::string, Open> sessions_;   ///< by digest
+  std::map<std::string, Token> tokens_;       ///< by slot
+  std::map<std::string, Open> sessions_;      ///< by digest
   std::map<std::string, Failures> failures_;  ///< by address
   std::vector<std::string> ended_;
 };

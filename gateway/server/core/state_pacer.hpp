@@ -13,8 +13,8 @@ class StatePacer {
  public:
   StatePacer(Duration least, Duration most) : least_(least), most_(most) {}
 
-  /// `state` with its number if it is to be sent now. Ages and counters of seconds alone are no change: the phone goes on
-  /// counting them itself.
+  /// `state` with its number if it is to be sent now. Ages and counters of seconds alone are no change: the phone goes
+  /// on counting them itself.
   [[nodiscard]] std::optional<protocol::State> next(protocol::State state, Time now);
   [[nodiscard]] const std::optional<protocol::State>& last() const { return last_; }
 
