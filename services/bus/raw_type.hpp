@@ -19,7 +19,7 @@ struct RawPayload {
 /// Carries the payload of any type unchanged; decoding happens in the service's thread, never in the reader's.
 class RawType final : public eprosima::fastdds::dds::TopicDataType {
  public:
-  /// `inner` gives name, keyedness and, for a sample that came without a key hash, the key.
+  /// `inner` gives name, keyedness and the key of a received sample (Fast DDS 2.9.1 takes it from the payload).
   explicit RawType(std::unique_ptr<eprosima::fastdds::dds::TopicDataType> inner);
 
   bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override;

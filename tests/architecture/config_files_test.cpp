@@ -5,6 +5,7 @@
 
 #include "services/common/config.hpp"
 #include "services/common/site_config.hpp"
+#include "services/relay/core/relay_config.hpp"
 #include "tests/architecture/source_tree.hpp"
 
 namespace tandem::test {
@@ -20,6 +21,7 @@ void load(const std::filesystem::path& file) {
 const std::map<std::string, std::function<void(const std::filesystem::path&)>>& loaders() {
   static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
       {"site.toml", load<SiteConfig>},
+      {"relay.toml", load<RelayConfig>},
   };
   return by_name;
 }

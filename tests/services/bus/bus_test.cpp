@@ -76,6 +76,28 @@ TEST(Bus, ADisposedInstanceIsForgotten) {
   EXPECT_TRUE(wait_until(receiver, seconds{10}, [&] { return reader.each().empty(); }));
 }
 
+TEST(Bus, MalformedSamplesOfAKeyedTopicEndNeitherReaderNorProcess) {
+  const test::DomainLease domain{1};
+  Bus sender{options_in(domain[0], "sender")};
+  Bus receiver{options_in(domain[0], "receiver")};
+  auto raw = sender.raw_writer(info_of(topic::kTeammates));
+  auto good = sender.writer(topic::kTeammates);
+  auto reader = receiver.in_order(topic::kTeammates);
+  const std::vector<std::vector<std::uint8_t>> bad{
+      {0x12, 0x34, 0, 0, 1, 2, 3, 4},                   // unknown encapsulation
+      {0, 1, 0, 0, 1, 2, 3, 4},                         // cut short
+      {0, 1, 0, 0, 0xFF, 0xFF, 0xFF, 0xFF, 1, 2, 3, 4}  // a string of four gigabytes
+  };
+
+  std::size_t whole = 0;
+  EXPECT_TRUE(wait_until(receiver, seconds{20}, [&] {
+    for (const auto& payload : bad) raw->write(payload, {9});
+    good.write(teammate("person1", 1.0));
+    whole += reader.take().size();
+    return whole >= 5 && reader.undecodable() >= 3;
+  }));
+}
+
 TEST(Bus, KnowsItsOwnSamples) {
   const test::DomainLease domain{1};
   Bus one{options_in(domain[0], "one")};

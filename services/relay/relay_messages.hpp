@@ -1,0 +1,19 @@
+#pragma once
+
+#include "idl/topics.hpp"
+#include "services/common/site_config.hpp"
+#include "services/relay/core/forwarding.hpp"
+#include "services/relay/core/link_monitor.hpp"
+
+namespace tandem {
+
+[[nodiscard]] ForwardingRule rule_of(const TopicInfo& topic);
+
+[[nodiscard]] msg::LinkHeartbeat to_message(const Heartbeat& heartbeat);
+[[nodiscard]] Heartbeat from_message(const msg::LinkHeartbeat& message);
+[[nodiscard]] msg::LinkStatus to_message(const LinkState& state, const std::string& host, Time now);
+
+/// `scan` with every n-th beam, so that at most `most_beams` are left and it fits in one datagram.
+[[nodiscard]] msg::LaserScan thinned(const msg::LaserScan& scan, std::size_t most_beams);
+
+}  // namespace tandem

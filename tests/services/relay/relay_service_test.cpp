@@ -1,0 +1,145 @@
+#include "services/relay/relay_service.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/domain_lease.hpp"
+
+namespace tandem {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+/// A host with its services' bus and its relay.
+struct Host {
+  SiteConfig site;
+  bus::Bus services;
+  bus::Bus relay_host;
+  bus::Bus relay_link;
+  RelayService relay;
+
+  Host(const std::string& name, const std::string& role, const std::string& robot, int host_domain, int link_domain)
+      : site(make_site(name, role, robot, host_domain, link_domain)),
+        services(bus::host_domain(site, "test")),
+        relay_host(bus::host_domain(site, "relay")),
+        relay_link(tandem::link_domain(site)),
+        relay(site, RelayConfig{}, relay_host, relay_link) {}
+
+  static SiteConfig make_site(const std::string& name, const std::string& role, const std::string& robot,
+                              int host_domain, int link_domain) {
+    SiteConfig site;
+    site.host = name;
+    site.role = role;
+    site.robot = robot;
+    site.host_domain = host_domain;
+    site.link_domain = link_domain;
+    return site;
+  }
+};
+
+msg::BaseStatus status_of(const std::string& robot) {
+  msg::BaseStatus status;
+  status.robot(robot);
+  return status;
+}
+
+TEST(Relay, CarriesAStateToTheOtherHostAndTellsThatTheLinkIsUp) {
+  const test::DomainLease domains{3};
+  Host robot{"robot1", "robot", "robot1", domains[0], domains[2]};
+  Host laptop{"laptop1", "laptop", "robot1", domains[1], domains[2]};
+  auto writer = robot.services.writer(topic::kBaseStatus);
+  auto reader = laptop.services.latest(topic::kBaseStatus);
+  auto link = laptop.services.latest(topic::kLinkStatus);
+  EXPECT_TRUE(writer.write(status_of("robot1")));
+
+  EXPECT_TRUE(bus::wait_until(laptop.services, seconds{20}, [&] {
+    robot.relay.step();
+    laptop.relay.step();
+    const auto status = link.newest();
+    return reader.newest() && status && status->message.up() && status->message.peer() == "robot1";
+  }));
+}
+
+TEST(Relay, AVelocityOnTheLinkNeverArrives) {
+  const test::DomainLease domains{3};
+  Host robot{"robot1", "robot", "robot1", domains[0], domains[2]};
+  // Somebody on the Wi-Fi, in the team's own partition.
+  bus::Bus intruder{tandem::link_domain(Host::make_site("evil", "laptop", "robot1", domains[1], domains[2]))};
+  auto velocity = intruder.writer(topic::kVelocityCommand);
+  auto stop = intruder.writer(topic::kStopRequest);
+  auto velocities = robot.services.in_order(topic::kVelocityCommand);
+  auto stops = robot.services.in_order(topic::kStopRequest);
+  msg::VelocityCommand command;
+  command.robot("robot1");
+  command.forward_mps(1.0);
+  msg::StopRequest request;
+  request.robot("robot1");
+
+  // When the stop arrives, sent later on the same link, a velocity would have come long ago.
+  std::size_t stops_seen = 0;
+  EXPECT_TRUE(bus::wait_until(robot.services, seconds{20}, [&] {
+    velocity.write(command);
+    stop.write(request);
+    stops_seen += stops.take().size();
+    return stops_seen >= 5;
+  }));
+  EXPECT_EQ(velocity.raw().matched_readers(), 0);
+  EXPECT_TRUE(velocities.take().empty());
+}
+
+TEST(Relay, TwoTeamsOnOneLinkDoNotMix) {
+  const test::DomainLease domains{5};
+  Host robot1{"robot1", "robot", "robot1", domains[0], domains[4]};
+  Host laptop1{"laptop1", "laptop", "robot1", domains[1], domains[4]};
+  Host robot2{"robot2", "robot", "robot2", domains[2], domains[4]};
+  Host laptop2{"laptop2", "laptop", "robot2", domains[3], domains[4]};
+  auto writer1 = robot1.services.writer(topic::kBaseStatus);
+  auto writer2 = robot2.services.writer(topic::kBaseStatus);
+  auto reader1 = laptop1.services.latest(topic::kBaseStatus);
+  auto reader2 = laptop2.services.latest(topic::kBaseStatus);
+  EXPECT_TRUE(writer1.write(status_of("robot1")));
+  EXPECT_TRUE(writer2.write(status_of("robot2")));
+
+  ASSERT_TRUE(bus::wait_until(laptop1.services, seconds{20}, [&] { return reader1.newest() && reader2.newest(); }));
+  ASSERT_EQ(reader1.each().size(), 1U);
+  ASSERT_EQ(reader2.each().size(), 1U);
+  EXPECT_EQ(reader1.newest()->message.robot(), "robot1");
+  EXPECT_EQ(reader2.newest()->message.robot(), "robot2");
+}
+
+TEST(Relay, ADisposedStateIsDisposedOnTheOtherHost) {
+  const test::DomainLease domains{3};
+  Host robot{"robot1", "robot", "robot1", domains[0], domains[2]};
+  Host laptop{"laptop1", "laptop", "robot1", domains[1], domains[2]};
+  auto writer = robot.services.writer(topic::kBaseStatus);
+  auto reader = laptop.services.latest(topic::kBaseStatus);
+  EXPECT_TRUE(writer.write(status_of("robot1")));
+  ASSERT_TRUE(bus::wait_until(laptop.services, seconds{20}, [&] { return reader.newest().has_value(); }));
+
+  EXPECT_TRUE(writer.dispose(status_of("robot1")));
+  EXPECT_TRUE(bus::wait_until(laptop.services, seconds{20}, [&] { return !reader.newest(); }));
+}
+
+TEST(Relay, DropsMalformedSamplesAtTheDoor) {
+  const test::DomainLease domains{3};
+  Host robot{"robot1", "robot", "robot1", domains[0], domains[2]};
+  bus::Bus intruder{tandem::link_domain(Host::make_site("evil", "laptop", "robot1", domains[1], domains[2]))};
+  auto raw = intruder.raw_writer(info_of(topic::kTeamPlan));
+  auto good = intruder.writer(topic::kTeamPlan);
+  auto plans = robot.services.in_order(topic::kTeamPlan);
+  msg::TeamPlan plan;
+  plan.robot("robot1");
+  const std::vector<std::uint8_t> garbage{0x12, 0x34, 0, 0, 1, 2, 3, 4};
+
+  std::size_t seen = 0;
+  EXPECT_TRUE(bus::wait_until(robot.services, seconds{20}, [&] {
+    raw->write(garbage, {9});
+    good.write(plan);
+    seen += plans.take().size();
+    return seen >= 3;
+  }));
+  EXPECT_EQ(plans.undecodable(), 0U);
+}
+
+}  // namespace
+}  // namespace tandem
