@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 
+#include "robot/laser/core/laser_config.hpp"
 #include "services/common/config.hpp"
 #include "services/common/site_config.hpp"
 #include "services/relay/core/relay_config.hpp"
@@ -20,6 +21,7 @@ void load(const std::filesystem::path& file) {
 /// Which struct each config file is for, by its name.
 const std::map<std::string, std::function<void(const std::filesystem::path&)>>& loaders() {
   static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
+      {"laser.toml", load<LaserConfig>},
       {"site.toml", load<SiteConfig>},
       {"relay.toml", load<RelayConfig>},
   };
