@@ -35,6 +35,11 @@ class DistanceField {
   [[nodiscard]] bool empty() const { return distances_m_.empty(); }
   [[nodiscard]] double resolution_m() const { return frame_.resolution_m(); }
 
+  /// Does the grid hold `point_in_map` [m]?
+  [[nodiscard]] bool contains(const Eigen::Vector2d& point_in_map) const {
+    const CellIndex cell = frame_.cell_at(point_in_map);
+    return cell.column >= 0 && cell.row >= 0 && cell.column < width_ && cell.row < height_;
+  }
   /// The distance at the centre of `cell`, which is moved to the border if it lies outside.
   [[nodiscard]] float at(CellIndex cell) const {
     const int column = std::clamp(cell.column, 0, width_ - 1);

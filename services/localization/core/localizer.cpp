@@ -1,0 +1,192 @@
+#include "services/localization/core/localizer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "services/localization/core/beams.hpp"
+#include "services/localization/core/scan_search.hpp"
+
+namespace tandem {
+namespace {
+
+constexpr double kFieldReachM = 2.0;     ///< Distances beyond this say nothing about where a wall is.
+constexpr std::size_t kMinReturns = 20;  ///< Fewer beams do not tell one place from another.
+constexpr double kClearlyBetter = 0.05;  ///< Gain of agreement for which a searched pose is taken.
+constexpr double kSearchedShare = 0.5;   ///< Share of the particles put at a searched pose.
+constexpr double kSoughtShare = 0.1;     ///< Share of the particles thrown over the whole map while lost.
+constexpr double kOneHypothesis = 0.9;   ///< Weight of a group that leaves no doubt.
+
+MotionNoise noise_of(const LocalizationConfig& config) {
+  return {config.forward_per_m, config.sideways_per_m, config.turn_per_rad,
+          config.turn_per_m,    config.drift_m,        config.drift_rad};
+}
+
+/// Puts `share` of the particles at the end of the set around `pose`; the weights stay normalised.
+void gather(Particles& particles, double share, const Pose2& pose, double deviation_m, double deviation_rad, Rng& rng) {
+  const auto count = static_cast<std::size_t>(share * static_cast<double>(particles.size()));
+  if (count == 0) return;
+  const Particles gathered = particles_around(pose, deviation_m, deviation_rad, count, rng);
+  const std::size_t first = particles.size() - count;
+  for (std::size_t i = 0; i < count; ++i) particles[first + i].map_from_base = gathered[i].map_from_base;
+}
+
+}  // namespace
+
+Localizer::Localizer(OccupancyGrid map, const LocalizationConfig& config)
+    : config_(config),
+      map_(std::move(map)),
+      distances_(map_, kFieldReachM),
+      likelihoods_(map_, distances_, BeamModel{config.hit_deviation_m, config.random_share}),
+      rng_(static_cast<std::uint64_t>(config.seed)),
+      odometry_(from_seconds(config.odometry_max_age_s)),
+      monitor_(config.agreement_ok, from_seconds(config.lost_after_s)) {}
+
+void Localizer::add_odometry(const OdometrySample& sample) {
+  odometry_.add(sample);
+}
+
+void Localizer::add_hint(const PoseHint& hint) {
+  // Between the hint and now the robot has moved on.
+  Pose2 map_from_base = hint.map_from_base;
+  const auto then = odometry_.at(hint.time);
+  if (then && last_ && then->epoch == last_->epoch) {
+    map_from_base = map_from_base * (inverse(then->odom_from_base) * last_->odom_from_base);
+  }
+  const double deviation_rad = hint.heading_known ? 0.3 : 4.0;  // 4 rad wrapped: any heading
+  particles_ = particles_around(map_from_base, hint.standard_deviation_m, deviation_rad,
+                                static_cast<std::size_t>(config_.particles_max), rng_);
+  last_fit_.reset();
+  monitor_.reset();
+}
+
+void Localizer::start_at(const OdometrySample& odometry) {
+  if (!last_) last_ = odometry;
+  if (is_started()) return;
+  if (config_.start.size() == 3) {
+    particles_ = particles_around({config_.start[0], config_.start[1], config_.start[2]}, config_.start_deviation_m,
+                                  config_.start_deviation_m, static_cast<std::size_t>(config_.particles_max), rng_);
+  } else if (config_.start_globally) {
+    particles_ = particles_everywhere(map_, static_cast<std::size_t>(config_.particles_global), rng_);
+  }
+  last_ = odometry;
+}
+
+void Localizer::predict(const OdometrySample& odometry) {
+  Pose2 motion;  // across a break of the odometry: none that is known
+  if (last_->epoch == odometry.epoch) motion = inverse(last_->odom_from_base) * odometry.odom_from_base;
+  const double factor = odometry.time < distrust_until_ ? config_.distrust_factor : 1.0;
+  move(particles_, motion, deviation_of(motion, noise_of(config_).times(factor)), rng_);
+  last_ = odometry;
+}
+
+Localizer::Fit Localizer::fit_at(const Pose2& map_from_base) const {
+  const RefinementOptions options{.loss_m = config_.refine_loss_m,
+                                  .hit_deviation_m = config_.hit_deviation_m,
+                                  .beam_weight = config_.beam_weight,
+                                  .prior_deviation_m = config_.prior_deviation_m,
+                                  .prior_deviation_rad = config_.prior_deviation_rad};
+  const RefinedPose refined = refine_pose(distances_, endpoints_, map_from_base, options);
+  return {refined, agreement_of(distances_, refined.map_from_base, endpoints_, config_.fit_distance_m)};
+}
+
+Localizer::Fit Localizer::corrected(Fit fit, Time time) {
+  if (fit.agreement >= config_.search_below) return fit;
+  SearchWindow window{.half_side_m = config_.search_window_m,
+                      .half_turn_rad = config_.search_window_rad,
+                      .prior_weight = config_.search_prior_weight};
+  if (status_ == LocalizationStatus::Lost) {
+    window.half_side_m = config_.search_wide_m;
+    window.step_m = 0.2;
+  }
+  const Pose2 found = best_pose_in_window(likelihoods_, few_endpoints_, fit.pose.map_from_base, window);
+  const Fit searched = fit_at(found);
+  if (searched.agreement < fit.agreement + kClearlyBetter) return fit;
+  gather(particles_, kSearchedShare, searched.pose.map_from_base, 0.1, 0.05, rng_);
+  normalise(particles_);
+  distrust_until_ = time + from_seconds(config_.distrust_s);
+  return searched;
+}
+
+void Localizer::seek_everywhere() {
+  const auto count = static_cast<std::size_t>(kSoughtShare * static_cast<double>(particles_.size()));
+  const Particles sought = particles_everywhere(map_, count, rng_);
+  std::copy(sought.begin(), sought.end(), particles_.end() - static_cast<std::ptrdiff_t>(sought.size()));
+  normalise(particles_);
+}
+
+void Localizer::resample(const Fit& fit) {
+  if (effective_share(particles_) < config_.resample_below) {
+    const auto wanted = static_cast<std::int64_t>(kld_count(particles_, config_.kld_error, config_.kld_quantile));
+    const std::int64_t most = std::max(config_.particles_max, static_cast<std::int64_t>(particles_.size()));
+    const std::int64_t count = std::clamp(wanted, config_.particles_min, most);
+    particles_ = resampled(particles_, static_cast<std::size_t>(count), rng_);
+    if (fit.agreement >= config_.agreement_ok) {
+      gather(particles_, config_.refined_share, fit.pose.map_from_base, 0.03, 0.015, rng_);
+    } else if (status_ == LocalizationStatus::Lost) {
+      seek_everywhere();
+    }
+  }
+}
+
+std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
+  const bool thinned_out = config_.scans == "odd" && scan_count_ % 2 == 0;
+  ++scan_count_;
+  const auto odometry = odometry_.at(scan.time);
+  if (!odometry) return std::nullopt;
+  start_at(*odometry);
+  if (thinned_out || !is_started()) return std::nullopt;
+  endpoints_ = selected_endpoints(scan, static_cast<std::size_t>(config_.refine_beams), config_.range_limit_m,
+                                  odometry->velocity);
+  if (endpoints_.size() < kMinReturns) return std::nullopt;
+  few_endpoints_ = thinned(endpoints_, static_cast<std::size_t>(config_.filter_beams));
+
+  if (auto resting = result_at_rest(*odometry)) return resting;
+
+  predict(*odometry);
+  weigh(particles_, likelihoods_, few_endpoints_, config_.beam_weight);
+  const auto groups = clusters(particles_, 3);
+  const Fit fit = corrected(fit_at(groups.front().map_from_base), scan.time);
+  status_ = monitor_.add(scan.time, fit.agreement);
+  resample(fit);
+  last_fit_ = fit;
+  return result_of(fit, groups);
+}
+
+std::optional<LocalizationResult> Localizer::result_at_rest(const OdometrySample& odometry) {
+  if (!last_fit_ || status_ != LocalizationStatus::Ok || last_->epoch != odometry.epoch) return std::nullopt;
+  const Pose2 motion = inverse(last_->odom_from_base) * odometry.odom_from_base;
+  if (motion.position().norm() >= config_.min_motion_m || std::abs(motion.heading) >= config_.min_turn_rad) {
+    return std::nullopt;
+  }
+  Fit fit = *last_fit_;
+  fit.pose.map_from_base = fit.pose.map_from_base * motion;
+  fit.agreement = agreement_of(distances_, fit.pose.map_from_base, endpoints_, config_.fit_distance_m);
+  if (fit.agreement < config_.agreement_ok) return std::nullopt;
+  LocalizationResult result = result_of(fit, {});
+  result.time = odometry.time;
+  return result;
+}
+
+LocalizationResult Localizer::result_of(const Fit& fit, const std::vector<Cluster>& groups) const {
+  LocalizationResult result{.time = last_->time,
+                            .odometry_epoch = last_->epoch,
+                            .map_from_base = fit.pose.map_from_base,
+                            .covariance = fit.pose.covariance,
+                            .agreement = fit.agreement,
+                            .status = status_,
+                            .hypotheses = {}};
+  const double certainty = groups.empty() ? 1.0 : groups.front().weight;
+  result.hypotheses.push_back({fit.pose.map_from_base, certainty});
+  if (certainty >= kOneHypothesis) {
+    result.hypotheses.front().weight = 1.0;
+    return result;
+  }
+  for (std::size_t i = 1; i < groups.size(); ++i) {
+    result.hypotheses.push_back({groups[i].map_from_base, groups[i].weight});
+  }
+  if (result.status == LocalizationStatus::Ok) result.status = LocalizationStatus::Uncertain;
+  return result;
+}
+
+}  // namespace tandem

@@ -1,0 +1,78 @@
+#include "services/localization/core/pose_refinement.hpp"
+
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <deque>
+
+#include "services/localization/core/scan_residual.hpp"
+
+namespace tandem {
+namespace {
+
+/// Information of `residual` about the pose at `parameters`, weighted by `weight`.
+Eigen::Matrix3d information_of(const ScanResidual& residual, const double* parameters, double loss_m) {
+  double distance_m = 0.0;
+  Eigen::RowVector3d jacobian;
+  double* jacobian_data = jacobian.data();
+  residual.Evaluate(&parameters, &distance_m, &jacobian_data);
+  const double robust_weight = 1.0 / (1.0 + distance_m * distance_m / (loss_m * loss_m));  // Cauchy
+  return robust_weight * jacobian.transpose() * jacobian;
+}
+
+}  // namespace
+
+RefinedPose refine_pose(const DistanceField& field, std::span<const Eigen::Vector2d> endpoints_in_base,
+                        const Pose2& prior, const RefinementOptions& options) {
+  double parameters[3] = {prior.x, prior.y, prior.heading};
+  std::deque<ScanResidual> beams;  // a cost function does not move
+  for (const Eigen::Vector2d& endpoint : endpoints_in_base) beams.emplace_back(field, endpoint);
+
+  // Distances stay in metres; the prior is scaled so that both are in units of the same deviation.
+  const double per_beam = options.hit_deviation_m / std::sqrt(options.beam_weight);
+  PriorResidual prior_residual{prior, per_beam / options.prior_deviation_m, per_beam / options.prior_deviation_rad};
+  ceres::CauchyLoss loss{options.loss_m};
+
+  ceres::Problem::Options problem_options;
+  problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+  problem_options.disable_all_safety_checks = true;
+  ceres::Problem problem{problem_options};
+  for (ScanResidual& beam : beams) problem.AddResidualBlock(&beam, &loss, parameters);
+  problem.AddResidualBlock(&prior_residual, nullptr, parameters);
+
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  solver.max_num_iterations = 12;
+  solver.function_tolerance = 1e-4;
+  solver.parameter_tolerance = 1e-5;
+  solver.num_threads = 1;
+  solver.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver, &problem, &summary);
+
+  Eigen::Matrix3d information =
+      Eigen::Vector3d{std::pow(options.prior_deviation_m, -2), std::pow(options.prior_deviation_m, -2),
+                      std::pow(options.prior_deviation_rad, -2)}
+          .asDiagonal();
+  for (const ScanResidual& beam : beams) {
+    information += information_of(beam, parameters, options.loss_m) / (per_beam * per_beam);
+  }
+  return {{parameters[0], parameters[1], wrap_to_pi(parameters[2])}, information.inverse()};
+}
+
+double agreement_of(const DistanceField& field, const Pose2& map_from_base,
+                    std::span<const Eigen::Vector2d> endpoints_in_base, double fit_distance_m) {
+  if (endpoints_in_base.empty()) return 0.0;
+  std::size_t fitting = 0;
+  for (const Eigen::Vector2d& endpoint : endpoints_in_base) {
+    const Eigen::Vector2d endpoint_in_map = map_from_base * endpoint;
+    if (field.contains(endpoint_in_map) && field.nearest(endpoint_in_map) <= fit_distance_m) ++fitting;
+  }
+  return static_cast<double>(fitting) / static_cast<double>(endpoints_in_base.size());
+}
+
+}  // namespace tandem

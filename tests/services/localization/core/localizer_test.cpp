@@ -1,0 +1,171 @@
+#include "services/localization/core/localizer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/services/localization/room.hpp"
+
+namespace tandem {
+namespace {
+
+/// A robot that drives a circle of 1 m in the uneven room, 0.05 m a step, with odometry that slips.
+class Drive {
+ public:
+  explicit Drive(LocalizationConfig config) : map_(test::uneven_room()), localizer_(map_, config) {}
+
+  std::optional<LocalizationResult> step(double wheels_factor = 1.0) {
+    const Pose2 motion{0.05, 0.0, 0.05};
+    map_from_base_ = map_from_base_ * motion;
+    odom_from_base_ = odom_from_base_ * Pose2{wheels_factor * motion.x, 0.0, wheels_factor * motion.heading};
+    return look();
+  }
+  /// Odometry and a scan where the robot is now.
+  std::optional<LocalizationResult> look() {
+    time_ += from_seconds(0.1);
+    localizer_.add_odometry({time_, odom_from_base_, {}, epoch_});
+    return localizer_.add_scan(test::scan_from(map_, map_from_base_, time_));
+  }
+  [[nodiscard]] double error_m(const LocalizationResult& result) const {
+    return (result.map_from_base.position() - map_from_base_.position()).norm();
+  }
+
+  OccupancyGrid map_;
+  Localizer localizer_;
+  Pose2 map_from_base_{2.5, 1.2, 0.0};
+  Pose2 odom_from_base_{};
+  Time time_{};
+  int epoch_ = 0;
+};
+
+LocalizationConfig started() {
+  LocalizationConfig config;
+  config.start = {2.5, 1.2, 0.0};
+  return config;
+}
+
+TEST(Localizer, FollowsARobotWhoseWheelsSlip) {
+  Drive drive{started()};
+  for (int i = 0; i < 120; ++i) {
+    const auto result = drive.step(1.1);
+    ASSERT_TRUE(result);
+    ASSERT_LT(drive.error_m(*result), 0.1) << "step " << i;
+    EXPECT_EQ(result->status, LocalizationStatus::Ok);
+    EXPECT_GT(result->agreement, 0.9);
+  }
+}
+
+TEST(Localizer, GivesTheSamePosesForTheSameInputs) {
+  Drive one{started()};
+  Drive other{started()};
+  for (int i = 0; i < 30; ++i) {
+    const auto a = one.step();
+    const auto b = other.step();
+    ASSERT_EQ(a->map_from_base, b->map_from_base);
+    ASSERT_EQ(a->covariance, b->covariance);
+  }
+}
+
+TEST(Localizer, SaysNothingBeforeItKnowsWhereItStarted) {
+  Drive drive{LocalizationConfig{}};
+
+  EXPECT_FALSE(drive.step().has_value());
+  EXPECT_FALSE(drive.localizer_.is_started());
+}
+
+TEST(Localizer, StartsFromAHint) {
+  Drive drive{LocalizationConfig{}};
+  (void)drive.look();
+
+  drive.localizer_.add_hint({drive.time_, {2.8, 1.0, 0.1}, true, 0.3});
+
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 10; ++i) result = drive.step();
+  ASSERT_TRUE(result);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
+TEST(Localizer, StartsFromAHintWithoutHeading) {
+  Drive drive{LocalizationConfig{}};
+  (void)drive.look();
+
+  drive.localizer_.add_hint({drive.time_, {2.5, 1.2, 2.0}, false, 0.2});
+
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 20; ++i) result = drive.step();
+  ASSERT_TRUE(result);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
+TEST(Localizer, CatchesWheelsThatMissedAJump) {
+  Drive drive{started()};
+  for (int i = 0; i < 10; ++i) (void)drive.step();
+
+  drive.map_from_base_ = drive.map_from_base_ * Pose2{0.7, 0.2, 0.1};  // the odometry says nothing of it
+
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 5; ++i) result = drive.step();
+  ASSERT_TRUE(result);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
+TEST(Localizer, GoesOnAcrossAResetOfTheOdometry) {
+  Drive drive{started()};
+  for (int i = 0; i < 10; ++i) (void)drive.step();
+
+  drive.odom_from_base_ = {100.0, 50.0, 2.0};
+  drive.epoch_ = 1;
+
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 10; ++i) result = drive.step();
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->odometry_epoch, 1);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
+TEST(Localizer, SaysThatItIsLostWhenScansDoNotFit) {
+  Drive drive{started()};
+  for (int i = 0; i < 10; ++i) (void)drive.step();
+
+  LocalizationResult result;
+  for (int i = 0; i < 25; ++i) {  // 2.5 s in a place that is nowhere on the map
+    drive.time_ += from_seconds(0.1);
+    drive.localizer_.add_odometry({drive.time_, drive.odom_from_base_, {}, 0});
+    LaserScan scan = test::scan_from(drive.map_, drive.map_from_base_, drive.time_);
+    for (std::size_t k = 0; k < scan.ranges_m.size(); ++k) scan.ranges_m[k] = k % 2 == 0 ? 0.5F : 9.0F;
+    result = drive.localizer_.add_scan(scan).value();
+  }
+  EXPECT_EQ(result.status, LocalizationStatus::Lost);
+}
+
+TEST(Localizer, UsesOddScansAloneWhereAsked) {
+  LocalizationConfig config = started();
+  config.scans = "odd";
+  Drive drive{config};
+
+  EXPECT_FALSE(drive.step().has_value());
+  EXPECT_TRUE(drive.step().has_value());
+  EXPECT_FALSE(drive.step().has_value());
+}
+
+TEST(Localizer, LeavesOutAScanWithoutOdometryOrReturns) {
+  Drive drive{started()};
+  (void)drive.step();
+
+  EXPECT_FALSE(
+      drive.localizer_.add_scan(test::scan_from(drive.map_, drive.map_from_base_, drive.time_ + from_seconds(0.5))));
+  LaserScan blind = test::scan_from(drive.map_, drive.map_from_base_, drive.time_);
+  blind.ranges_m.assign(blind.ranges_m.size(), std::numeric_limits<float>::quiet_NaN());
+  EXPECT_FALSE(drive.localizer_.add_scan(blind));
+}
+
+TEST(Localizer, RestsWithTheRobot) {
+  Drive drive{started()};
+  (void)drive.step();
+  const auto first = drive.look();
+  const auto last = drive.look();
+
+  EXPECT_EQ(first->map_from_base, last->map_from_base);
+  EXPECT_LT(first->time, last->time);
+}
+
+}  // namespace
+}  // namespace tandem
