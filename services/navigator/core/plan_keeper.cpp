@@ -1,0 +1,54 @@
+#include "services/navigator/core/plan_keeper.hpp"
+
+#include <utility>
+
+namespace tandem::navigator {
+
+bool PlanKeeper::is_alive(Time now) const {
+  return plan_ && now - refreshed_ <= timeout_;
+}
+
+void PlanKeeper::receive(PlanNews news, Time received) {
+  const bool planner_is_gone = received - planner_heard_ > timeout_;
+  if (news.planner != planner_) {
+    if (!planner_.empty() && !planner_is_gone) return;  // one planner at a time: the first holds until it is gone
+    planner_ = news.planner;
+    planner_alive_ = false;
+    last_sequence_number_ = 0;
+  } else if (news.sequence_number != last_sequence_number_) {
+    planner_alive_ = !planner_is_gone;
+  }
+  last_sequence_number_ = news.sequence_number;
+  planner_heard_ = received;
+
+  const bool same = plan_ && plan_->id == news.id;
+  switch (news.state) {
+    case PlanState::Accepted:
+      plan_ = std::move(news);
+      refreshed_ = received;
+      break;
+    case PlanState::Proposed:
+      // The accepted plan goes on while its planner proposes the next one, as long as it is refreshed itself.
+      if (!same && plan_ && plan_->state == PlanState::Accepted && is_alive(received)) break;
+      plan_ = std::move(news);
+      refreshed_ = received;
+      break;
+    case PlanState::Rejected:
+    case PlanState::Superseded:
+      if (same) plan_.reset();
+      break;
+  }
+}
+
+PlanKeeper::Standing PlanKeeper::standing(Time now, const std::string& session) const {
+  if (!plan_) return Standing::None;
+  if (!is_alive(now)) return Standing::Dead;
+  if (plan_->session != session) return Standing::OtherSession;
+  if (now > plan_->valid_until) return Standing::Expired;
+  if (plan_->state != PlanState::Accepted) return Standing::Proposed;
+  if (!planner_alive_) return Standing::Unconfirmed;
+  if (plan_->points_in_map.empty()) return Standing::NoPath;
+  return Standing::Executable;
+}
+
+}  // namespace tandem::navigator

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/common/time.hpp"
+
+namespace tandem::navigator {
+
+enum class PlanState { Proposed, Accepted, Rejected, Superseded };
+
+/// One publication of a team plan, as far as it concerns this robot.
+struct PlanNews {
+  std::string id;
+  std::string session;
+  std::string planner;  ///< host and process
+  std::uint64_t sequence_number = 0;
+  PlanState state = PlanState::Proposed;
+  Time valid_until{};
+  std::vector<Eigen::Vector2d> points_in_map;  ///< of this robot; empty: the plan has no path for it
+};
+
+/// Which plan may be executed now: an accepted one that its planner keeps alive.
+///
+/// A plan is alive while its planner repeats it. One that has been heard a single time may be the last word of a dead
+/// planner, kept by the middleware for late joiners: it counts once its planner has been heard again. While a plan is
+/// alive, another planner's is not taken up.
+class PlanKeeper {
+ public:
+  explicit PlanKeeper(Duration timeout) : timeout_(timeout) {}
+
+  void receive(PlanNews news, Time received);
+
+  enum class Standing { None, Proposed, Unconfirmed, Dead, Expired, OtherSession, NoPath, Executable };
+  /// How the plan to be executed stands. `session` is the code of the session that is running.
+  [[nodiscard]] Standing standing(Time now, const std::string& session) const;
+  /// The newest accepted plan, else the newest proposed one; none before the first or after a rejection.
+  [[nodiscard]] const std::optional<PlanNews>& plan() const { return plan_; }
+
+ private:
+  [[nodiscard]] bool is_alive(Time now) const;
+
+  Duration timeout_;
+  std::optional<PlanNews> plan_;
+  Time refreshed_{};
+  Time planner_heard_{};
+  std::string planner_;
+  std::uint64_t last_sequence_number_ = 0;
+  bool planner_alive_ = false;  ///< heard at least twice, no longer apart than the time-out
+};
+
+}  // namespace tandem::navigator
