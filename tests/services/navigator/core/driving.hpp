@@ -40,7 +40,8 @@ class Drive {
       navigator_.receive_plan(numbered(), now_);
       next_refresh_ = now_ + from_seconds(1.0);
     }
-    if (tick_ % 2 == 0) scan_ = {hits(), now_, now_};  // 10 Hz
+    seen_ = hits();
+    if (tick_ % 2 == 0) scan_ = {seen_, now_, now_};  // 10 Hz
     ++tick_;
     Situation situation;
     situation.now = now_;
@@ -113,7 +114,7 @@ class Drive {
   /// The rules of faults.md that the gate enforces, in short.
   [[nodiscard]] Twist2 gated(Twist2 wanted) const {
     const Hull hull{config_.hull_length_m, config_.hull_width_m};
-    const auto points = hits();
+    const auto& points = seen_;
     if (std::abs(wanted.forward_mps) < 1e-3) {
       double nearest = std::numeric_limits<double>::infinity();
       for (const auto& point : points) nearest = std::min(nearest, point.norm());
@@ -141,11 +142,9 @@ class Drive {
     pose_ = moved_on(pose_, velocity_, dt);
     now_ += from_seconds(dt);
     const Hull hull{config_.hull_length_m, config_.hull_width_m};
-    for (const auto& wall : walls_) {
-      for (double share = 0.0; share <= 1.0; share += 0.01) {
-        const Eigen::Vector2d point = wall.from + share * (wall.to - wall.from);
-        least_clearance_m_ = std::min(least_clearance_m_, distance_to(hull, inverse(pose_) * point));
-      }
+    for (const auto& point : seen_) {  // where they have come to with this step, as far as the laser saw them
+      const Eigen::Vector2d now_in_base = inverse(moved_on({}, velocity_, dt)) * point;
+      least_clearance_m_ = std::min(least_clearance_m_, distance_to(hull, now_in_base));
     }
   }
 
@@ -157,6 +156,7 @@ class Drive {
   Time now_ = from_stamp_ns(1'000'000'000'000);
   Time next_refresh_{};
   PlanNews plan_;
+  std::vector<Eigen::Vector2d> seen_;
   ScanHits scan_;
   int tick_ = 0;
   double least_clearance_m_ = std::numeric_limits<double>::infinity();
