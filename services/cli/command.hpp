@@ -35,7 +35,8 @@ class Interrupted : public std::exception {};
 [[nodiscard]] CLI::App* add_command(CLI::App& tandem, const std::string& name, const std::string& purpose,
                                     const std::string& example);
 
-/// True once Ctrl-C or SIGTERM came.
+/// True once Ctrl-C or SIGTERM came. Before the first call they simply end the process; a command that writes files
+/// calls it first thing, and then asks in every loop.
 [[nodiscard]] bool stop_requested();
 
 }  // namespace tandem::cli

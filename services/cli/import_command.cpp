@@ -20,6 +20,7 @@ struct ImportOptions {
 };
 
 void run_carmen(const ImportOptions& options) {
+  (void)stop_requested();  // from here on Ctrl-C is asked for
   const auto events = carmen::parse_log(carmen::read_log_file(options.file), options.file);
   const auto scans = std::count_if(events.begin(), events.end(), [](const carmen::Event& event) {
     return std::holds_alternative<carmen::Scan>(event);

@@ -5,6 +5,8 @@
 #include "services/cli/command.hpp"
 #include "services/cli/import_command.hpp"
 #include "services/cli/info_command.hpp"
+#include "services/cli/record_command.hpp"
+#include "services/cli/replay_command.hpp"
 #include "services/cli/topics_command.hpp"
 #include "services/common/version.hpp"
 
@@ -16,6 +18,8 @@ int main(int argc, char** argv) {
   app.footer("Example: tandem info episode.mcap\n`tandem COMMAND --help` tells more.");
   app.require_subcommand(1);
 
+  add_record_command(app);
+  add_replay_command(app);
   add_info_command(app);
   add_import_command(app);
   add_topics_command(app);

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "services/bus/bus.hpp"
+#include "services/recorder/core/mcap_reader.hpp"
+#include "services/recorder/core/replay_plan.hpp"
+
+namespace tandem::recorder {
+
+/// Sends a recording's messages again, payloads and source stamps as recorded, with the clock topic as their time.
+class Player {
+ public:
+  /// Throws std::runtime_error when there is nothing to play, or when a base is connected to the domain of `bus`: a
+  /// replay beside a real robot is refused.
+  Player(mcap::Reader& reader, bus::Bus& bus, ReplayOptions options);
+
+  /// Called about ten times a second with the share played [0, 1]; false ends the replay.
+  using KeepGoing = std::function<bool(double share)>;
+  /// In lockstep: each pose that came back for a scan, in order.
+  using OnPose = std::function<void(const msg::RobotPose& pose)>;
+
+  /// Plays to the end, or for ever with `loop`. Returns the number of messages sent.
+  ///
+  /// In lockstep it throws std::runtime_error when localization is not there or does not answer a scan.
+  std::uint64_t play(const KeepGoing& keep_going, const OnPose& on_pose);
+
+ private:
+  /// A topic that is played, and how to find the key of its payloads.
+  struct Output {
+    const TopicInfo* info = nullptr;
+    std::unique_ptr<eprosima::fastdds::dds::TopicDataType> type;
+    std::unique_ptr<bus::RawWriter> writer;
+  };
+
+  void refuse_beside_a_base();
+  void make_outputs();
+  [[nodiscard]] Output* output_of(std::uint16_t channel_id);
+  void send(const mcap::Message& message, Output& output);
+  void send_latched_before(std::size_t first);
+  void send_clock(Time time, double rate);
+  /// Sleeps until `due`, telling the time meanwhile. False: the replay is to end.
+  bool wait_until(Time due, const ReplayPace& pace, const std::function<bool()>& keep_going);
+
+  mcap::Reader& reader_;
+  bus::Bus& bus_;
+  ReplayOptions options_;
+  bus::Writer<msg::Clock, msg::ClockPubSubType> clock_;
+  std::map<std::string, Output> outputs_;                ///< by topic
+  std::map<std::uint16_t, std::string> channel_topics_;  ///< of the channels that are played
+  std::set<std::uint16_t> disposed_channels_;
+  std::uint32_t epoch_ = 0;
+  std::uint64_t sent_ = 0;
+};
+
+}  // namespace tandem::recorder
