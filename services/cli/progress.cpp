@@ -9,15 +9,12 @@
 namespace tandem::cli {
 namespace {
 constexpr int kWidth = 30;
-constexpr std::chrono::milliseconds kQuietAtFirst{1000};
-constexpr std::chrono::milliseconds kBetweenDrawings{100};
+constexpr Duration kQuietAtFirst = std::chrono::seconds{1};
+constexpr Duration kBetweenDrawings = std::chrono::milliseconds{100};
 }  // namespace
 
 Progress::Progress(std::string what)
-    : what_(std::move(what)),
-      started_(std::chrono::steady_clock::now()),
-      drawn_(started_),
-      on_terminal_(isatty(STDERR_FILENO) == 1) {}
+    : what_(std::move(what)), started_(clock_.now()), drawn_(started_), on_terminal_(isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (visible_) std::fprintf(stderr, "\r\033[K");
@@ -25,7 +22,7 @@ Progress::~Progress() {
 
 void Progress::show(double share, const std::string& note) {
   if (!on_terminal_) return;
-  const auto now = std::chrono::steady_clock::now();
+  const Time now = clock_.now();
   if (now - started_ < kQuietAtFirst || now - drawn_ < kBetweenDrawings) return;
   drawn_ = now;
   visible_ = true;

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <chrono>
 #include <string>
+
+#include "services/common/clock.hpp"
 
 namespace tandem::cli {
 
@@ -18,8 +19,9 @@ class Progress {
 
  private:
   std::string what_;
-  std::chrono::steady_clock::time_point started_;
-  std::chrono::steady_clock::time_point drawn_;
+  SteadyClock clock_;
+  Time started_;
+  Time drawn_;
   bool on_terminal_;
   bool visible_ = false;
 };

@@ -7,6 +7,7 @@
 #include "services/common/config.hpp"
 #include "services/common/site_config.hpp"
 #include "services/relay/core/relay_config.hpp"
+#include "services/recorder/core/recorder_config.hpp"
 #include "tests/architecture/source_tree.hpp"
 
 namespace tandem::test {
@@ -23,6 +24,7 @@ const std::map<std::string, std::function<void(const std::filesystem::path&)>>& 
   static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
       {"laser.toml", load<LaserConfig>},
       {"site.toml", load<SiteConfig>},
+      {"recorder.toml", load<recorder::RecorderConfig>},
       {"relay.toml", load<RelayConfig>},
   };
   return by_name;
