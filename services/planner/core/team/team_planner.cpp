@@ -23,21 +23,6 @@ TeamPlanner::TeamPlanner(const TeamProblem& problem, const TeamPlannerOptions& o
   nodes_.emplace_back();
 }
 
-void TeamPlanner::suggest(const std::vector<std::vector<int>>& places) {
-  Course course(problem_);
-  std::vector<std::size_t> next(places.size(), 0);
-  for (int member = course.next_member(); member >= 0; member = course.next_member()) {
-    const auto m = static_cast<std::size_t>(member);
-    if (m >= places.size() || next[m] >= places[m].size()) break;
-    const auto legal = course.choices(member, 1'000);
-    const int place = places[m][next[m]++];
-    if (std::ranges::find(legal, place, &Choice::place) == legal.end()) continue;
-    course.choose(member, place);
-  }
-  complete(course, false);
-  keep_if_better(course);
-}
-
 void TeamPlanner::run(int rollouts, const std::function<bool()>& stop) {
   for (int i = 0; i < rollouts && !(stop && stop()); ++i) rollout();
 }

@@ -25,8 +25,6 @@ class TeamPlanner {
   /// `problem` must outlive the planner and have at least one member.
   TeamPlanner(const TeamProblem& problem, const TeamPlannerOptions& options, Rng rng);
 
-  /// Tries a plan made elsewhere, for instance the rest of the last one; greedy goes on from its end.
-  void suggest(const std::vector<std::vector<int>>& places);
   /// Makes `rollouts` more rollouts, or fewer if `stop` says so.
   void run(int rollouts, const std::function<bool()>& stop = {});
 

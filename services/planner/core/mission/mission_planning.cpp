@@ -1,0 +1,162 @@
+// The part of SearchMission that decides on new plans and makes them.
+#include <algorithm>
+#include <string>
+
+#include "services/planner/core/mission/computation.hpp"
+
+namespace tandem {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kStartReach_m = 3.0;
+constexpr double kGoalReach_m = 3.0;
+constexpr double kPersonForgotten_s = 60.0;  ///< not heard of for so long, a person is planned without
+constexpr double kSlackOfPlans = 1.5;        ///< a plan is void after so many times its duration ...
+constexpr double kSlack_s = 20.0;            ///< ... and this
+constexpr std::size_t kRejectedKept = 4;
+
+}  // namespace
+
+bool SearchMission::person_is_known(Time now) const {
+  return seen_[kPerson] && seen_[kPerson]->age_s + to_seconds(now - seen_[kPerson]->stamp) < kPersonForgotten_s;
+}
+
+double SearchMission::elapsed_s(Time now) const {
+  return plan_ ? to_seconds(now - plan_->start) : 0.0;
+}
+
+PlanSituation SearchMission::situation(Time now) const {
+  PlanSituation situation;
+  situation.standing = standing(now);
+  if (!plan_) return situation;
+  situation.age_s = to_seconds(now - proposed_);
+  situation.blocked = blocked_since_ && to_seconds(now - *blocked_since_) >= config_.blocked_s;
+  situation.robot_finished = robot_finished_;
+  situation.goal_reached = person_reached_goal_;
+  situation.person_is_new = !person_planned_ && person_is_known(now);
+  if (person_off_plan_since_) situation.person_off_plan_s = to_seconds(now - *person_off_plan_since_);
+  if (!survival_.empty() && left_when_planned_ > 0.0) {
+    const double step = std::max(0.0, elapsed_s(now) / config_.step_s);
+    const auto index = std::min(survival_.size() - 1, static_cast<std::size_t>(step));
+    situation.surprise = belief_->probability_left() / left_when_planned_ - survival_[index];
+  }
+  return situation;
+}
+
+void SearchMission::follow_person(Time now) {
+  const bool checkable = plan_ && person_planned_ && seen_[kPerson] &&
+                         seen_[kPerson]->age_s < config_.person_credit_s && standing(now) == PlanStanding::Accepted;
+  const double off_m = checkable ? (seen_[kPerson]->map_from_agent.position() -
+                                    pose_at(plan_->members[kPerson].path, elapsed_s(now)).position())
+                                       .norm()
+                                 : 0.0;
+  if (off_m <= config_.deviation_m) {
+    person_off_plan_since_.reset();
+  } else if (!person_off_plan_since_) {
+    person_off_plan_since_ = now;
+  }
+}
+
+void SearchMission::drop_reached_goals(Time now) {
+  for (const std::size_t member : {kRobot, kPerson}) {
+    if (!goals_[member] || !seen_[member] || !plan_ || standing(now) != PlanStanding::Accepted) continue;
+    if (member >= plan_->members.size() || !plan_->members[member].goal_fixed) continue;
+    const Vector2d& goal = plan_->members[member].goal_in_map;
+    if ((seen_[member]->map_from_agent.position() - goal).norm() > config_.goal_reach_m) continue;
+    goals_[member].reset();
+    ++world_version_;
+    if (member == kPerson) person_reached_goal_ = true;
+  }
+}
+
+void SearchMission::forget_old_blockages(Time now) {
+  std::erase_if(blocked_, [&](const auto& entry) { return to_seconds(now - entry.first) > config_.blocked_memory_s; });
+}
+
+void SearchMission::begin_plan(Time now, const std::string& reason) {
+  const Vector2d robot_in_map = seen_[kRobot]->map_from_agent.position();
+  const std::size_t remembered = blocked_.size();
+  forget_old_blockages(now);
+  bool ways_changed = blocked_.size() != remembered;
+  if (blocked_since_ && to_seconds(now - *blocked_since_) >= config_.blocked_s) {
+    // Not so large that the robot itself stands in it.
+    const double room_m = (blocked_at_ - robot_in_map).norm() - 0.2;
+    blocked_.emplace_back(now, BlockedDisc{blocked_at_, std::clamp(room_m, 0.3, config_.blocked_radius_m)});
+    blocked_since_.reset();
+    ways_changed = true;
+  }
+  if (ways_changed) {
+    std::vector<BlockedDisc> discs;
+    for (const auto& entry : blocked_) discs.push_back(entry.second);
+    world_->block(discs, robot_in_map);
+    ++world_version_;
+  }
+  const PlanStanding before = standing(now);
+  const bool asked_for = before == PlanStanding::Rejected || before == PlanStanding::Superseded;
+  if (!asked_for) rejected_.clear();
+  if (rejected_.size() > kRejectedKept) rejected_.erase(rejected_.begin());
+
+  auto computation = std::make_unique<Computation>();
+  computation->reason = reason;
+  TeamProblem& problem = computation->problem;
+  problem.mass = belief_->posterior();
+  problem.horizon_steps = static_cast<int>(config_.horizon_s / config_.step_s);
+  problem.tail_s = world_->sweep_time_s();
+  problem.taboo = rejected_;
+  for (const std::size_t member : {kRobot, kPerson}) {
+    if (member == kPerson && !person_is_known(now)) continue;
+    ActionSet& actions = member == kRobot ? world_->robot() : world_->person();
+    actions.forget_added_places();
+    const Pose2& pose = seen_[member]->map_from_agent;
+    const auto start = actions.add_place(pose.position(), kStartReach_m);
+    if (!start && member == kRobot) {
+      failed_ = now;
+      return fail("the robot stands where it cannot move");
+    }
+    if (!start) continue;
+    TeamMember who{&actions, *start, pose.heading, {}};
+    if (goals_[member]) who.goal = actions.add_place(*goals_[member], kGoalReach_m);
+    computation->goal_fixed[member] = who.goal.has_value();
+    problem.members.push_back(who);
+  }
+  const Rng rng{static_cast<std::uint64_t>(config_.seed) + 1'000'003 * plans_};
+  computation->planner.emplace(computation->problem, TeamPlannerOptions{}, rng);
+  computation_ = std::move(computation);
+  activity_ = MissionActivity::Computing;
+  failure_.clear();
+}
+
+void SearchMission::finish_plan(Time now) {
+  const JointPlan joint = computation_->planner->best();
+  const TeamProblem& problem = computation_->problem;
+  MissionPlan plan;
+  plan.id = session_ + "-" + agents_[kRobot] + "-" + std::to_string(++plans_) + "-" +
+            std::to_string(to_stamp_ns(now) / 1'000'000);
+  plan.world_version = world_version_;
+  plan.start = now + from_seconds(config_.acceptance_delay_s);
+  plan.role = role_of(computation_->goal_fixed[kPerson], computation_->goal_fixed[kRobot]);
+  plan.forecast = joint.forecast;
+  plan.reason = computation_->reason;
+  double duration_s = 0.0;
+  for (std::size_t m = 0; m < joint.members.size(); ++m) {
+    const TimedPath& path = joint.members[m].path;
+    plan.members.push_back({agents_[m], path, path.points.back().point_in_map, problem.members[m].goal.has_value()});
+    duration_s = std::max(duration_s, path.duration_s());
+  }
+  plan.valid_until = plan.start + from_seconds(kSlackOfPlans * duration_s + kSlack_s);
+  acceptance_.propose(now, plan.valid_until);
+  proposed_ = now;
+  survival_ = joint.survival;
+  left_when_planned_ = belief_->probability_left();
+  person_planned_ = plan.members.size() > kPerson;
+  plan_ = std::move(plan);
+  computation_.reset();
+  robot_finished_ = false;
+  person_reached_goal_ = false;
+  person_off_plan_since_.reset();
+  blocked_since_.reset();
+  activity_ = MissionActivity::Idle;
+}
+
+}  // namespace tandem

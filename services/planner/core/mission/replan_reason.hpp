@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "services/planner/core/acceptance/plan_acceptance.hpp"
+#include "services/planner/core/planner_config.hpp"
+
+namespace tandem {
+
+/// What speaks for or against a new plan, as it is now.
+struct PlanSituation {
+  PlanStanding standing = PlanStanding::None;
+  double age_s = 0.0;              ///< of the plan, since it was proposed
+  bool blocked = false;            ///< for long enough to be given up
+  bool robot_finished = false;     ///< its path
+  bool goal_reached = false;       ///< the person reached the goal they fixed
+  bool person_is_new = false;      ///< is known, but the plan was made without
+  double surprise = 0.0;           ///< P(not found) now, minus what the plan promised for now
+  double person_off_plan_s = 0.0;  ///< for how long the person has been elsewhere
+};
+
+/// Why to make a new plan, for people; none while the plan holds. (*Replan* itself ends the plan's standing.)
+[[nodiscard]] std::optional<std::string> replan_reason(const PlanSituation& situation, const PlannerConfig& config);
+
+}  // namespace tandem

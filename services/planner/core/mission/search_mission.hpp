@@ -1,0 +1,149 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/common/time.hpp"
+#include "services/planner/core/acceptance/plan_acceptance.hpp"
+#include "services/planner/core/mission/replan_reason.hpp"
+#include "services/planner/core/mission/team_world.hpp"
+#include "services/planner/core/mission/watch.hpp"
+#include "services/planner/core/roles/role.hpp"
+#include "services/planner/core/team/team_planner.hpp"
+
+namespace tandem {
+
+/// What a person asks for on the phone.
+struct PersonRequest {
+  enum class Kind { MyPose, MyGoal, RobotGoal, Replan, ClearMyGoal, ClearRobotGoal };
+  Kind kind = Kind::Replan;
+  Eigen::Vector2d point_in_map = Eigen::Vector2d::Zero();  ///< [m]
+};
+
+/// How far the robot is with a plan.
+struct RobotProgress {
+  std::string plan_id;
+  bool finished = false;
+  bool blocked = false;
+  Eigen::Vector2d blocked_at_in_map = Eigen::Vector2d::Zero();  ///< [m]
+};
+
+/// A plan as it is told to the team.
+struct MissionPlan {
+  struct Member {
+    std::string agent;
+    TimedPath path;  ///< from `start`
+    Eigen::Vector2d goal_in_map = Eigen::Vector2d::Zero();
+    bool goal_fixed = false;
+  };
+  std::string id;
+  std::uint64_t world_version = 0;
+  Time start{};
+  Time valid_until{};
+  Role role = Role::LeaderFollower;
+  std::vector<Member> members;
+  Forecast forecast;
+  std::string reason;
+};
+
+/// What the planner is doing.
+enum class MissionActivity { Idle, Computing, Failed, Finished };
+
+/// A search by one robot and one person, from preparation to the find: keeps the belief, makes plans when they are
+/// needed, follows their acceptance. Everything comes in by call, with its time; step() does the work.
+class SearchMission {
+ public:
+  SearchMission(const PlannerConfig& config, std::string robot, std::string person);
+  ~SearchMission();
+
+  void set_map(OccupancyGrid map);
+  /// A session of this name runs: a new name is a new search.
+  void run_session(const std::string& code, Time now);
+  void end_session();
+  void robot_at(Time stamp, const Pose2& map_from_robot);
+  /// `age_s`: since somebody saw the person or they said where they are.
+  void person_at(Time stamp, const Pose2& map_from_person, double age_s);
+  /// Does what the person asks for, or says why not.
+  [[nodiscard]] std::optional<std::string> request(const PersonRequest& request, Time now);
+  void robot_progress(const RobotProgress& progress, Time now);
+  /// The object is found: the search is over.
+  void found();
+
+  /// Computes for one slice, which ends when `slice_over` says so. Returns true when there is a new plan.
+  bool step(Time now, const std::function<bool()>& slice_over);
+
+  [[nodiscard]] MissionActivity activity() const { return activity_; }
+  [[nodiscard]] double progress() const;  ///< of computing, [0, 1]
+  [[nodiscard]] const std::string& failure() const { return failure_; }
+  [[nodiscard]] const std::optional<MissionPlan>& plan() const { return plan_; }
+  [[nodiscard]] PlanStanding standing(Time now) const { return acceptance_.standing(now); }
+  /// The goal a person fixed for the robot (kRobot) or themselves (kPerson).
+  [[nodiscard]] const std::optional<Eigen::Vector2d>& goal(std::size_t member) const { return goals_[member]; }
+  [[nodiscard]] const std::string& agent(std::size_t member) const { return agents_[member]; }
+  /// None before map and robot are known.
+  [[nodiscard]] const SearchArea* area() const { return world_ ? &world_->area() : nullptr; }
+  [[nodiscard]] const SearchBelief* belief() const { return belief_ ? &*belief_ : nullptr; }
+  [[nodiscard]] ExploredShares explored() const;
+
+  static constexpr std::size_t kRobot = 0;
+  static constexpr std::size_t kPerson = 1;
+
+ private:
+  struct Seen {
+    Time stamp{};
+    Pose2 map_from_agent;
+    double age_s = 0.0;
+  };
+  struct Computation;
+
+  void prepare();
+  void start_search();
+  void fail(const std::string& why);
+  [[nodiscard]] bool person_is_known(Time now) const;
+  [[nodiscard]] PlanSituation situation(Time now) const;
+  void begin_plan(Time now, const std::string& reason);
+  void finish_plan(Time now);
+  void forget_old_blockages(Time now);
+  void follow_person(Time now);
+  void drop_reached_goals(Time now);
+  [[nodiscard]] double elapsed_s(Time now) const;
+
+  PlannerConfig config_;
+  std::array<std::string, 2> agents_;
+  std::optional<OccupancyGrid> map_;
+  std::unique_ptr<TeamWorld> world_;
+  std::optional<SearchBelief> belief_;
+  std::array<Watch, 2> watches_;
+  std::array<std::optional<Seen>, 2> seen_;
+  std::array<std::optional<Eigen::Vector2d>, 2> goals_;
+
+  std::string session_;
+  bool running_ = false;
+  Time running_since_{};
+  MissionActivity activity_ = MissionActivity::Idle;
+  std::string failure_;
+  Time failed_{};
+
+  std::unique_ptr<Computation> computation_;
+  std::optional<MissionPlan> plan_;
+  PlanAcceptance acceptance_;
+  Time proposed_{};
+  double left_when_planned_ = 1.0;  ///< P(not found) when the plan was made
+  std::vector<double> survival_;    ///< what the plan promises
+  bool person_planned_ = false;
+  bool person_reached_goal_ = false;
+  std::optional<Time> person_off_plan_since_;
+  std::optional<Time> blocked_since_;
+  Eigen::Vector2d blocked_at_ = Eigen::Vector2d::Zero();
+  bool robot_finished_ = false;
+  std::vector<std::pair<Time, BlockedDisc>> blocked_;
+  std::vector<std::vector<TimedPath>> rejected_;
+  std::uint64_t world_version_ = 0;
+  std::uint64_t plans_ = 0;
+};
+
+}  // namespace tandem

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "services/bus/bus.hpp"
+#include "services/bus/events.hpp"
+#include "services/bus/health.hpp"
+#include "services/common/clock.hpp"
+#include "services/common/site_config.hpp"
+#include "services/planner/core/mission/search_mission.hpp"
+
+namespace tandem {
+
+/// Joins a SearchMission to the bus: newest inputs in, one slice of planning, results out.
+class PlannerService {
+ public:
+  PlannerService(const PlannerConfig& config, const SiteConfig& site, bus::Bus& bus, const Clock& clock);
+
+  void step();
+
+ private:
+  template <class PubSubType>
+  using Latest = bus::Latest<typename PubSubType::type, PubSubType>;
+  template <class PubSubType>
+  using Writer = bus::Writer<typename PubSubType::type, PubSubType>;
+  template <class PubSubType>
+  using Events = bus::EventReceiver<typename PubSubType::type, PubSubType>;
+
+  void read_world();
+  void read_session(Time now);
+  void read_events(Time now);
+  void publish_plan(Time now);
+  void publish_status(Time now);
+  void publish_belief(Time now);
+  void publish_goals();
+
+  PlannerConfig config_;
+  SiteConfig site_;
+  const Clock& clock_;
+  SearchMission mission_;
+  std::string identity_;
+  bool running_ = false;
+
+  Latest<msg::OccupancyGridPubSubType> map_;
+  Latest<msg::RobotPosePubSubType> robot_pose_;
+  Latest<msg::TeammateStatePubSubType> teammates_;
+  Latest<msg::SessionStatePubSubType> session_;
+  Latest<msg::PlanExecutionPubSubType> execution_;
+  Events<msg::HumanMessagePubSubType> human_messages_;
+  Events<msg::ObjectDetectionPubSubType> detections_;
+
+  Writer<msg::TeamPlanPubSubType> team_plan_;
+  Writer<msg::PlannerStatusPubSubType> status_;
+  Writer<msg::SearchBeliefPubSubType> belief_;
+  Writer<msg::RewardSourcePubSubType> reward_source_;
+  bus::HealthReporter health_;
+
+  std::string session_code_;
+  std::uint64_t sequence_number_ = 0;
+  std::string published_plan_;
+  PlanStanding published_standing_ = PlanStanding::None;
+  Time plan_due_{};
+  Time belief_due_{};
+  Time status_due_{};
+  std::optional<MissionActivity> published_activity_;
+  double computing_s_ = 0.0;
+  std::array<std::optional<Eigen::Vector2d>, 2> published_goals_;
+};
+
+/// Listens for heartbeats of other planners of this robot and says why this one must not start; empty if it may.
+[[nodiscard]] std::string other_planner(const SiteConfig& site, bus::Bus& bus, Duration listen);
+
+}  // namespace tandem

@@ -1,0 +1,265 @@
+#include "services/planner/core/mission/search_mission.hpp"
+
+#include <gtest/gtest.h>
+
+#include "services/planner/core/mission/planner_lease.hpp"
+#include "tests/services/planner/support/room.hpp"
+
+namespace tandem {
+namespace {
+
+using Eigen::Vector2d;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+const auto kNeverOver = [] { return false; };
+
+/// A mission in a hall of 16 m x 10 m whose plans are carried out to the letter.
+class SearchMissionTest : public ::testing::Test {
+ protected:
+  SearchMissionTest() : mission(config(), "robot", "person") {
+    mission.set_map(empty_room(16, 10));
+    robot = {3, 3, 0};
+    person = {2, 2, 0};
+    tell_poses();
+    mission.step(now, kNeverOver);  // prepares
+  }
+  static PlannerConfig config() {
+    PlannerConfig config;
+    config.rollouts = 20;
+    config.horizon_s = 40.0;
+    return config;
+  }
+  void tell_poses() {
+    mission.robot_at(now, robot);
+    if (person_known) mission.person_at(now, person, 0.0);
+  }
+  void run() { mission.run_session("s1", now); }
+  /// Steps until there is a new plan.
+  bool plan() {
+    for (int i = 0; i < 1000; ++i) {
+      if (mission.step(now, kNeverOver)) return true;
+      pass(milliseconds{100});
+    }
+    return false;
+  }
+  void pass(Duration duration) {
+    now += duration;
+    tell_poses();
+  }
+  /// Both walk along their paths for so long.
+  void carry_out(Duration duration) {
+    for (const Time end = now + duration; now < end;) {
+      now += milliseconds{200};
+      const double time_s = to_seconds(now - mission.plan()->start);
+      if (time_s > 0.0) {
+        robot = pose_at(mission.plan()->members[0].path, time_s);
+        person = pose_at(mission.plan()->members[1].path, time_s);
+      }
+      tell_poses();
+    }
+  }
+  std::vector<TimedPath> paths() const {
+    std::vector<TimedPath> all;
+    for (const auto& member : mission.plan()->members) all.push_back(member.path);
+    return all;
+  }
+  RobotProgress progress() const { return {mission.plan()->id, false, false, Vector2d::Zero()}; }
+
+  Time now = from_stamp_ns(1'700'000'000'000'000'000);
+  SearchMission mission;
+  Pose2 robot;
+  Pose2 person;
+  bool person_known = true;
+};
+
+TEST_F(SearchMissionTest, PlansNothingBeforeTheSessionRuns) {
+  for (int i = 0; i < 10; ++i, pass(seconds{1})) EXPECT_FALSE(mission.step(now, kNeverOver));
+  EXPECT_FALSE(mission.plan());
+  run();
+  EXPECT_TRUE(plan());
+  EXPECT_EQ(mission.standing(now), PlanStanding::Proposed);
+}
+
+TEST_F(SearchMissionTest, APlanStartsWhereBothStandWhenItIsAccepted) {
+  run();
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(mission.plan()->start, now + seconds{3});
+  EXPECT_NEAR((mission.plan()->members[0].path.points[0].point_in_map - robot.position()).norm(), 0.0, 0.3);
+  EXPECT_NEAR((mission.plan()->members[1].path.points[0].point_in_map - person.position()).norm(), 0.0, 0.3);
+  pass(seconds{3});
+  EXPECT_EQ(mission.standing(now), PlanStanding::Accepted);
+}
+
+TEST_F(SearchMissionTest, ComputesInSlices) {
+  run();
+  EXPECT_FALSE(mission.step(now, [] { return true; }));  // no time at all
+  EXPECT_EQ(mission.activity(), MissionActivity::Computing);
+  EXPECT_EQ(mission.progress(), 0.0);
+  int rollouts = 0;
+  EXPECT_FALSE(mission.step(now, [&] { return rollouts++ == 10; }));
+  EXPECT_DOUBLE_EQ(mission.progress(), 0.5);
+  EXPECT_TRUE(mission.step(now, kNeverOver));
+  EXPECT_EQ(mission.activity(), MissionActivity::Idle);
+}
+
+TEST_F(SearchMissionTest, ReplanRejectsTheProposalAndTheNextPlanDiffers) {
+  run();
+  ASSERT_TRUE(plan());
+  const auto rejected = paths();
+  EXPECT_FALSE(mission.request({PersonRequest::Kind::Replan, {}}, now));
+  EXPECT_EQ(mission.standing(now), PlanStanding::Rejected);
+  ASSERT_TRUE(plan());
+  EXPECT_FALSE(is_like(paths(), rejected));
+}
+
+TEST_F(SearchMissionTest, GoalsAreInTheNextPlanAndMakeTheRole) {
+  run();
+  EXPECT_FALSE(mission.request({PersonRequest::Kind::MyGoal, {15, 9}}, now));
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(mission.plan()->role, Role::PeerPeer);
+  EXPECT_TRUE(mission.plan()->members[1].goal_fixed);
+  EXPECT_LE((mission.plan()->members[1].goal_in_map - Vector2d{15, 9}).norm(), 0.5);
+
+  EXPECT_FALSE(mission.request({PersonRequest::Kind::RobotGoal, {3, 9}}, now));
+  EXPECT_FALSE(mission.request({PersonRequest::Kind::Replan, {}}, now));
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(mission.plan()->role, Role::MasterSlave);
+
+  EXPECT_FALSE(mission.request({PersonRequest::Kind::ClearMyGoal, {}}, now));
+  EXPECT_FALSE(mission.request({PersonRequest::Kind::Replan, {}}, now));
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(mission.plan()->role, Role::LeaderLeader);
+}
+
+TEST_F(SearchMissionTest, AGoalOutsideTheMapIsRefusedWithAReason) {
+  mission.step(now, kNeverOver);
+  EXPECT_TRUE(mission.request({PersonRequest::Kind::MyGoal, {50, 50}}, now));
+  EXPECT_FALSE(mission.goal(SearchMission::kPerson));
+}
+
+TEST_F(SearchMissionTest, AReachedGoalIsForgottenAndThePlanGoesOn) {
+  run();
+  EXPECT_FALSE(mission.request({PersonRequest::Kind::MyGoal, {8, 2}}, now));
+  ASSERT_TRUE(plan());
+  carry_out(seconds{20});
+  ASSERT_TRUE(plan());
+  EXPECT_FALSE(mission.goal(SearchMission::kPerson));
+  EXPECT_EQ(mission.plan()->reason, "the person reached their goal");
+}
+
+TEST_F(SearchMissionTest, WhenThePathIsFinishedThereIsANewPlan) {
+  run();
+  ASSERT_TRUE(plan());
+  carry_out(seconds{10});
+  EXPECT_FALSE(mission.step(now, kNeverOver));
+  auto done = progress();
+  done.finished = true;
+  mission.robot_progress(done, now);
+  EXPECT_TRUE(mission.step(now, kNeverOver));
+}
+
+TEST_F(SearchMissionTest, ABlockedPathIsPlannedAround) {
+  run();
+  ASSERT_TRUE(plan());
+  carry_out(seconds{5});
+  const Vector2d ahead =
+      pose_at(mission.plan()->members[0].path, to_seconds(now - mission.plan()->start) + 3.0).position();
+  auto blocked = progress();
+  blocked.blocked = true;
+  blocked.blocked_at_in_map = ahead;
+  mission.robot_progress(blocked, now);
+  EXPECT_FALSE(mission.step(now, kNeverOver));  // it may pass
+  pass(seconds{4});
+  mission.robot_progress(blocked, now);
+  ASSERT_TRUE(mission.step(now, kNeverOver));
+  const TimedPath& path = mission.plan()->members[0].path;
+  for (double time_s = 0.0; time_s < path.duration_s(); time_s += 0.2) {
+    EXPECT_GT((pose_at(path, time_s).position() - ahead).norm(), 0.5);
+  }
+}
+
+TEST_F(SearchMissionTest, BothAreCreditedWithWhatTheySee) {
+  run();
+  ASSERT_TRUE(plan());
+  carry_out(seconds{30});
+  const auto explored = mission.explored();
+
+  EXPECT_GT(explored.by_agent[0], 0.05);
+  EXPECT_GT(explored.by_agent[1], 0.15);
+  EXPECT_NEAR(explored.by_agent[0] + explored.by_agent[1], explored.all, 1e-9);
+  EXPECT_LT(mission.belief()->probability_left(), 0.75);
+}
+
+TEST_F(SearchMissionTest, ThatTheSearchWentDifferentlyIsNoticed) {
+  run();
+  ASSERT_TRUE(plan());
+  pass(seconds{25});  // nobody moves
+  ASSERT_TRUE(mission.step(now, kNeverOver));
+  EXPECT_EQ(mission.plan()->reason, "less was seen than planned");
+}
+
+TEST_F(SearchMissionTest, PlansForTheRobotAloneAfterAWhileAndForBothOnceThePersonIsKnown) {
+  SearchMission alone(config(), "robot", "person");
+  alone.set_map(empty_room(16, 10));
+  alone.robot_at(now, robot);
+  alone.run_session("s1", now);
+  EXPECT_FALSE(alone.step(now, kNeverOver));
+  now += seconds{11};
+  alone.robot_at(now, robot);
+  ASSERT_TRUE(alone.step(now, kNeverOver));
+  EXPECT_EQ(alone.plan()->members.size(), 1U);
+  now += seconds{1};
+  alone.person_at(now, person, 0.0);
+  ASSERT_TRUE(alone.step(now, kNeverOver));
+  EXPECT_EQ(alone.plan()->members.size(), 2U);
+}
+
+TEST_F(SearchMissionTest, ADetectionEndsTheSearch) {
+  run();
+  ASSERT_TRUE(plan());
+  carry_out(seconds{5});
+  mission.found();
+  EXPECT_EQ(mission.activity(), MissionActivity::Finished);
+  EXPECT_EQ(mission.standing(now), PlanStanding::Superseded);
+  EXPECT_FALSE(mission.step(now, kNeverOver));
+  EXPECT_TRUE(mission.request({PersonRequest::Kind::Replan, {}}, now));  // refused
+}
+
+TEST_F(SearchMissionTest, AnotherSessionIsANewSearch) {
+  run();
+  ASSERT_TRUE(plan());
+  carry_out(seconds{10});
+  mission.found();
+  mission.run_session("s2", now);
+  EXPECT_NEAR(mission.belief()->probability_left(), 1.0, 1e-9);
+  EXPECT_TRUE(plan());
+}
+
+TEST_F(SearchMissionTest, NoFloorToSearchIsAFailureWithAReason) {
+  SearchMission walled(config(), "robot", "person");
+  walled.set_map(room({"###", "###"}));
+  walled.robot_at(now, robot);
+  walled.run_session("s1", now);
+  EXPECT_FALSE(walled.step(now, kNeverOver));
+  EXPECT_EQ(walled.activity(), MissionActivity::Failed);
+  EXPECT_FALSE(walled.failure().empty());
+}
+
+TEST(PlannerLease, ASecondPlannerSaysWhoIsActive) {
+  const PlannerIdentity self{"laptop1", 42};
+  EXPECT_EQ(refusal_to_plan("r1", self, {}), "");
+  EXPECT_EQ(refusal_to_plan("r1", self, {{self, "r1", false}, {{"laptop2", 7}, "r2", false}}), "");
+  EXPECT_EQ(refusal_to_plan("r1", self, {{{"laptop2", 7}, "r1", false}}),
+            "planner already active on host laptop2 pid 7");
+}
+
+TEST(PlannerLease, OfTwoThatStartAtOnceOneGivesWay) {
+  const PlannerIdentity a{"laptop1", 42};
+  const PlannerIdentity b{"laptop1", 43};
+  EXPECT_EQ(refusal_to_plan("r1", a, {{b, "r1", true}}), "");
+  EXPECT_NE(refusal_to_plan("r1", b, {{a, "r1", true}}), "");
+}
+
+}  // namespace
+}  // namespace tandem
