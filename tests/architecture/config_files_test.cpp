@@ -6,6 +6,7 @@
 #include "robot/laser/core/laser_config.hpp"
 #include "services/common/config.hpp"
 #include "services/common/site_config.hpp"
+#include "services/planner/core/planner_config.hpp"
 #include "services/relay/core/relay_config.hpp"
 #include "services/recorder/core/recorder_config.hpp"
 #include "tests/architecture/source_tree.hpp"
@@ -23,6 +24,7 @@ void load(const std::filesystem::path& file) {
 const std::map<std::string, std::function<void(const std::filesystem::path&)>>& loaders() {
   static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
       {"laser.toml", load<LaserConfig>},
+      {"planner.toml", load<PlannerConfig>},
       {"site.toml", load<SiteConfig>},
       {"recorder.toml", load<recorder::RecorderConfig>},
       {"relay.toml", load<RelayConfig>},
