@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "robot/pioneer/core/packet.hpp"
+#include "robot/pioneer/core/robot_parameters.hpp"
+#include "robot/pioneer/core/sip.hpp"
+#include "services/common/pose2.hpp"
+#include "services/common/time.hpp"
+#include "services/simulator/core/robot_body.hpp"
+#include "services/simulator/core/wheels.hpp"
+
+namespace tandem::simulator {
+
+/// What the controller of a simulated robot is like.
+struct FirmwareOptions {
+  pioneer::Identity identity{"Tandem_Simulator", "Pioneer", "p2at"};
+  pioneer::RobotParameters parameters;
+  Duration watchdog = std::chrono::milliseconds{2000};  ///< Without a packet for so long the wheels stop.
+  Duration sip_cycle = std::chrono::milliseconds{100};
+  Duration stall_time = std::chrono::milliseconds{500};  ///< The motors rest so long after a stall.
+  double battery_v = 12.8;
+};
+
+/// The controller of a Pioneer: bytes of the P2OS protocol in and out, wheel speeds to the body.
+///
+/// With the quirks that make it dangerous: after a silence, or a stall, it goes on at the last speed it was told, by
+/// itself; a connection outlives its host; the STOP button drops the motors and releasing it does not raise them.
+/// Commands it does not know are ignored quietly.
+class PioneerFirmware {
+ public:
+  PioneerFirmware(FirmwareOptions options, Time now);
+
+  /// Takes bytes from the host; the answers to them.
+  [[nodiscard]] pioneer::Bytes receive(std::span<const std::uint8_t> bytes, Time now);
+  /// How the wheels turn during the next `dt_s`.
+  [[nodiscard]] BodySpeed drive(double dt_s, Time now);
+  /// What became of that: counts the wheels' way, unless they were blocked.
+  void settle(const Pose2& wheel_motion, const Moved& moved, Time now);
+  /// True when the next standard packet is due.
+  [[nodiscard]] bool is_report_due(Time now) const { return open_ && now >= next_report_; }
+  /// That packet, with `echoes` of the sonars fired since the last.
+  [[nodiscard]] pioneer::Bytes report(std::vector<pioneer::SonarEcho> echoes, Time now);
+
+  /// The red button: pressed, the motors drop; released, they stay off until ENABLE.
+  void press_stop(bool pressed);
+  /// Power off and on again: forgets the connection, odometry and every setting.
+  void power_cycle(Time now);
+
+  [[nodiscard]] bool is_open() const { return open_; }
+  [[nodiscard]] bool motors_on() const { return motors_on_; }
+  [[nodiscard]] bool sonar_on() const { return sonar_on_; }
+  [[nodiscard]] BodySpeed speed() const { return speed_; }
+  [[nodiscard]] double half_track_m() const { return 1.0 / options_.parameters.half_track_per_m; }
+  [[nodiscard]] const Pose2& odom_from_base() const { return odom_from_base_; }
+
+ private:
+  [[nodiscard]] pioneer::Bytes synchronize(const pioneer::Packet& packet, Time now);
+  [[nodiscard]] pioneer::Bytes obey(const pioneer::HostCommand& command);
+  [[nodiscard]] pioneer::Bytes config_packet() const;
+  void close();
+  [[nodiscard]] bool is_stalled(Time now) const { return now < stalled_until_; }
+
+  FirmwareOptions options_;
+  pioneer::PacketReceiver receiver_;
+  int next_sync_ = 0;  ///< The sync the handshake waits for; 3: done, waiting for OPEN.
+  bool open_ = false;
+  bool motors_on_ = false;
+  bool stop_pressed_ = false;
+  bool sonar_on_ = true;
+  BodySpeed told_;   ///< The last speed the host asked for: it outlives the watchdog and a stall.
+  BodySpeed speed_;  ///< What the wheels do.
+  Time last_packet_;
+  Time next_report_;
+  Time stalled_until_;
+  Contact contact_;
+  Pose2 odom_from_base_;
+  double acceleration_mps2_ = 0.3;
+  double deceleration_mps2_ = 0.3;
+  double turn_acceleration_radps2_ = from_degrees(100.0);
+  double turn_deceleration_radps2_ = from_degrees(100.0);
+  double max_speed_mps_;
+  double max_turn_rate_radps_;
+  std::optional<double> tested_battery_v_;
+};
+
+}  // namespace tandem::simulator
