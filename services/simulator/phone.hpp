@@ -13,6 +13,7 @@ class Phone {
   virtual ~Phone() = default;
   /// What the screen shows now.
   [[nodiscard]] virtual Simulation::PhoneView view(Time now) = 0;
+  /// The person presses; kept until the gateway has it.
   virtual void press(const PhoneMessage& message, Time now) = 0;
 };
 

@@ -9,6 +9,7 @@
 #include "services/planner/core/planner_config.hpp"
 #include "services/relay/core/relay_config.hpp"
 #include "services/recorder/core/recorder_config.hpp"
+#include "services/simulator/core/simulator_config.hpp"
 #include "tests/architecture/source_tree.hpp"
 
 namespace tandem::test {
@@ -28,6 +29,7 @@ const std::map<std::string, std::function<void(const std::filesystem::path&)>>& 
       {"site.toml", load<SiteConfig>},
       {"recorder.toml", load<recorder::RecorderConfig>},
       {"relay.toml", load<RelayConfig>},
+      {"simulator.toml", load<simulator::SimulatorConfig>},
   };
   return by_name;
 }
