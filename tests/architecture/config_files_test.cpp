@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 
+#include "robot/camera/core/camera_config.hpp"
 #include "robot/laser/core/laser_config.hpp"
 #include "services/common/config.hpp"
 #include "services/common/site_config.hpp"
@@ -24,6 +25,7 @@ void load(const std::filesystem::path& file) {
 /// Which struct each config file is for, by its name.
 const std::map<std::string, std::function<void(const std::filesystem::path&)>>& loaders() {
   static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
+      {"camera.toml", load<CameraConfig>},
       {"laser.toml", load<LaserConfig>},
       {"planner.toml", load<PlannerConfig>},
       {"site.toml", load<SiteConfig>},
