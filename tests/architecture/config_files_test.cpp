@@ -7,10 +7,12 @@
 #include "robot/laser/core/laser_config.hpp"
 #include "services/common/config.hpp"
 #include "services/common/site_config.hpp"
+#include "services/navigator/core/navigator_config.hpp"
 #include "services/planner/core/planner_config.hpp"
 #include "services/relay/core/relay_config.hpp"
 #include "services/recorder/core/recorder_config.hpp"
 #include "services/simulator/core/simulator_config.hpp"
+#include "services/tracking/core/tracking_config.hpp"
 #include "tests/architecture/source_tree.hpp"
 
 namespace tandem::test {
@@ -27,11 +29,13 @@ const std::map<std::string, std::function<void(const std::filesystem::path&)>>& 
   static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
       {"camera.toml", load<CameraConfig>},
       {"laser.toml", load<LaserConfig>},
+      {"navigator.toml", load<navigator::NavigatorConfig>},
       {"planner.toml", load<PlannerConfig>},
       {"site.toml", load<SiteConfig>},
       {"recorder.toml", load<recorder::RecorderConfig>},
       {"relay.toml", load<RelayConfig>},
       {"simulator.toml", load<simulator::SimulatorConfig>},
+      {"tracker.toml", load<tracking::TrackingConfig>},
   };
   return by_name;
 }
