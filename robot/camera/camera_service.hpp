@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,7 +53,7 @@ class CameraService {
   std::vector<msg::ObjectDetection> sent_;
   Time next_image_{};
   int epoch_ = 0;
-  std::string logged_failure_;
+  std::optional<std::string> logged_failure_;
 };
 
 }  // namespace tandem
