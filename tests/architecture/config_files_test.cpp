@@ -7,10 +7,12 @@
 #include "robot/laser/core/laser_config.hpp"
 #include "services/common/config.hpp"
 #include "services/common/site_config.hpp"
+#include "services/localization/core/localization_config.hpp"
+#include "services/mapping/core/map_server_config.hpp"
 #include "services/navigator/core/navigator_config.hpp"
 #include "services/planner/core/planner_config.hpp"
-#include "services/relay/core/relay_config.hpp"
 #include "services/recorder/core/recorder_config.hpp"
+#include "services/relay/core/relay_config.hpp"
 #include "services/simulator/core/simulator_config.hpp"
 #include "services/tracking/core/tracking_config.hpp"
 #include "tests/architecture/source_tree.hpp"
@@ -29,11 +31,13 @@ const std::map<std::string, std::function<void(const std::filesystem::path&)>>& 
   static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
       {"camera.toml", load<CameraConfig>},
       {"laser.toml", load<LaserConfig>},
+      {"localization.toml", load<LocalizationConfig>},
+      {"map-server.toml", load<MapServerConfig>},
       {"navigator.toml", load<navigator::NavigatorConfig>},
       {"planner.toml", load<PlannerConfig>},
-      {"site.toml", load<SiteConfig>},
       {"recorder.toml", load<recorder::RecorderConfig>},
       {"relay.toml", load<RelayConfig>},
+      {"site.toml", load<SiteConfig>},
       {"simulator.toml", load<simulator::SimulatorConfig>},
       {"tracker.toml", load<tracking::TrackingConfig>},
   };
