@@ -8,6 +8,7 @@
 #include "services/cli/record_command.hpp"
 #include "services/cli/replay_command.hpp"
 #include "services/cli/topics_command.hpp"
+#include "services/cli/up_command.hpp"
 #include "services/common/version.hpp"
 
 // The commands of `tandem`, in the order of its help. How to make one: command.hpp.
@@ -18,6 +19,7 @@ int main(int argc, char** argv) {
   app.footer("Example: tandem info episode.mcap\n`tandem COMMAND --help` tells more.");
   app.require_subcommand(1);
 
+  add_up_command(app);
   add_record_command(app);
   add_replay_command(app);
   add_info_command(app);
