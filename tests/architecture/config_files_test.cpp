@@ -5,6 +5,7 @@
 
 #include "robot/camera/core/camera_config.hpp"
 #include "robot/laser/core/laser_config.hpp"
+#include "robot/pioneer/base_config.hpp"
 #include "services/common/config.hpp"
 #include "services/common/site_config.hpp"
 #include "services/localization/core/localization_config.hpp"
@@ -30,6 +31,7 @@ void load(const std::filesystem::path& file) {
 const std::map<std::string, std::function<void(const std::filesystem::path&)>>& loaders() {
   static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
       {"camera.toml", load<CameraConfig>},
+      {"base.toml", load<BaseConfig>},
       {"laser.toml", load<LaserConfig>},
       {"localization.toml", load<LocalizationConfig>},
       {"map-server.toml", load<MapServerConfig>},

@@ -11,7 +11,8 @@
 
 namespace tandem::pioneer {
 
-/// How odometry errs, as random walks; a skid-steered robot turns by slipping, so its heading is far worse.
+/// Part of base.toml. How odometry errs, as random walks; a skid-steered robot turns by slipping, so its heading is far
+/// worse.
 struct OdometryNoise {
   double distance_per_root_m = 0.02;  ///< Of the way ahead and aside [m / sqrt(m)].
   double turn_per_root_rad = 0.03;    ///< Of the turn [rad / sqrt(rad)].
@@ -20,10 +21,10 @@ struct OdometryNoise {
 
   template <typename Visitor>
   void visit_fields(Visitor& visitor) {
-    visitor.field("distance_per_root_m", distance_per_root_m, Range{1e-4, 1.0});
-    visitor.field("turn_per_root_rad", turn_per_root_rad, Range{1e-4, 1.0});
-    visitor.field("turn_per_root_m", turn_per_root_m, Range{1e-4, 1.0});
-    visitor.field("skid_steer_factor", skid_steer_factor, Range{1.0, 100.0});
+    visitor.field("odometry_distance_per_root_m", distance_per_root_m, Range{1e-4, 1.0});
+    visitor.field("odometry_turn_per_root_rad", turn_per_root_rad, Range{1e-4, 1.0});
+    visitor.field("odometry_turn_per_root_m", turn_per_root_m, Range{1e-4, 1.0});
+    visitor.field("odometry_skid_steer_factor", skid_steer_factor, Range{1.0, 100.0});
   }
 };
 

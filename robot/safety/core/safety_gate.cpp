@@ -56,9 +56,9 @@ Motion SafetyGate::without_reverse(Motion wanted) const {
   return wanted;
 }
 
-Motion SafetyGate::ramped(const Motion& wanted, double limit_mps, Time now) const {
+Motion SafetyGate::ramped(const Motion& wanted, double limit_mps, bool motors_enabled, Time now) const {
   const double elapsed_s = to_seconds(now - last_time_);
-  const bool continuous = elapsed_s >= 0.0 && elapsed_s <= kLongestCycle_s;
+  const bool continuous = motors_enabled && elapsed_s >= 0.0 && elapsed_s <= kLongestCycle_s;
   const Motion last = continuous ? last_ : Motion{};
   const double step_s = std::clamp(elapsed_s, 0.0, kLongestCycle_s);
 
@@ -82,7 +82,8 @@ GateDecision SafetyGate::step(const GateInput& input, Time now) {
   decision.speed_limit_mps = stops_.may_move(now) ? speed_limit_mps(config_, hull_, input.people, input.base) : 0.0;
 
   if (stops_.may_move(now)) {
-    const Motion candidate = ramped(without_reverse(decision.wanted), decision.speed_limit_mps, now);
+    const Motion candidate =
+        ramped(without_reverse(decision.wanted), decision.speed_limit_mps, input.base.motors_enabled, now);
     const double deceleration = input.base.deceleration_mps2 > 0.0
                                     ? std::min(config_.deceleration_mps2, input.base.deceleration_mps2)
                                     : config_.deceleration_mps2 / 2.0;

@@ -57,8 +57,8 @@ class SafetyGate {
   }
   /// Somebody pressed STOP, or (not latched) asked for a pause.
   void take_stop(bool latched) { requested_.set(index_of(latched ? Cause::StopRequested : Cause::PauseRequested)); }
-  /// The service died while the motors were on: nothing moves before somebody resumes.
-  void take_unclean_start() { requested_.set(index_of(Cause::UncleanStart)); }
+  /// This service died while the motors were on, or was frozen: nothing moves before somebody resumes.
+  void take_service_failure() { requested_.set(index_of(Cause::ServiceFailed)); }
   /// Empty if granted, else why not.
   [[nodiscard]] std::string_view take_resume(double held_s, Time now) { return stops_.resume(held_s, now); }
 
@@ -69,7 +69,7 @@ class SafetyGate {
 
  private:
   [[nodiscard]] Causes causes_of(const GateInput& input, Time now);
-  [[nodiscard]] Motion ramped(const Motion& wanted, double limit_mps, Time now) const;
+  [[nodiscard]] Motion ramped(const Motion& wanted, double limit_mps, bool motors_enabled, Time now) const;
   [[nodiscard]] Motion without_reverse(Motion wanted) const;
 
   const GateConfig config_;

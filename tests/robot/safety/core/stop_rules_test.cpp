@@ -33,7 +33,7 @@ const std::map<Cause, Fault>& faults() {
       {Cause::PauseRequested, {[](GateWorld& w) { w.gate().take_stop(false); }, once}},
       {Cause::BaseLost,
        {[](GateWorld& w) { w.input.base.connected = false; }, [](GateWorld& w) { w.input.base.connected = true; }}},
-      {Cause::UncleanStart, {[](GateWorld& w) { w.gate().take_unclean_start(); }, once}},
+      {Cause::ServiceFailed, {[](GateWorld& w) { w.gate().take_service_failure(); }, once}},
       {Cause::OdometryJump, {[](GateWorld& w) { w.input.base.odom_from_base.x += 0.6; }, once}},
       {Cause::Overspeed,
        {[](GateWorld& w) {

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "robot/pioneer/base_link.hpp"
+#include "robot/pioneer/gate_feed.hpp"
+#include "services/bus/health.hpp"
+
+namespace tandem {
+
+/// The base: odometry out, velocities in, and the safety gate between them and the wheels. One thread does it all, so
+/// that a gate that hangs sends no pulse either, and the firmware's watchdog stops the robot.
+class BaseService {
+ public:
+  BaseService(const BaseConfig& config, const SiteConfig& site, bus::Bus& bus, Clock& timer, const Clock& mission);
+  ~BaseService();
+  BaseService(const BaseService&) = delete;
+  BaseService& operator=(const BaseService&) = delete;
+
+  /// Waits for the controller until the next cycle is due (20 a second), and does what is to be done.
+  void step();
+
+ private:
+  void take(const pioneer::SessionEvent& event);
+  void take_identity(const pioneer::Identity& identity);
+  void take_status(const pioneer::StatusReceived& status);
+  void cycle();
+  void publish_status(const safety::GateDecision& decision, Time now);
+  void log_changes(const safety::GateDecision& decision);
+  void mark_driving(bool driving);
+
+  BaseConfig config_;
+  std::string robot_;
+  Clock& timer_;
+  const Clock& mission_;
+  BaseLink link_;
+  safety::SafetyGate gate_;
+  GateFeed feed_;
+  pioneer::Odometry odometry_;
+  pioneer::RobotParameters parameters_;
+  std::string model_;
+  Duration kinematics_delay_{};
+  safety::GateInput input_;
+  bool contact_ = false;  ///< something happened that cannot wait for the next cycle
+  Time next_cycle_{};
+  Time next_status_{};
+  msg::BaseStatus last_status_;
+  std::string last_trouble_;
+  safety::Causes last_causes_;
+  bool marked_ = false;
+
+  bus::Writer<msg::Odometry, msg::OdometryPubSubType> odometry_writer_;
+  bus::Writer<msg::SonarRanges, msg::SonarRangesPubSubType> sonar_writer_;
+  bus::Writer<msg::BaseStatus, msg::BaseStatusPubSubType> status_writer_;
+  bus::HealthReporter health_;
+};
+
+}  // namespace tandem
