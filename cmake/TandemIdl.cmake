@@ -3,6 +3,7 @@
 # fastddsgen writes included files again under their base name, so each file is generated into a folder of its own and
 # only its own four outputs are kept. Its deserialize() catches NotEnoughMemoryException alone; a sample with an unknown
 # CDR encapsulation throws another type out of the reader thread and ends the process, so the catch is widened.
+# Sequences of an enum are resized to whatever length the sample claims, gigabytes if it says so: that is limited.
 function(tandem_idl)
   set(kept ${CMAKE_CURRENT_BINARY_DIR}/generated)
   set(sources)
@@ -19,6 +20,8 @@ function(tandem_idl)
               ${CMAKE_CURRENT_SOURCE_DIR}/${file} > ${own}/fastddsgen.log
       COMMAND sed -i "s/catch (eprosima::fastcdr::exception::NotEnoughMemoryException& [^)]*)/catch (...)/"
               ${own}/${name}PubSubTypes.cxx
+      COMMAND sed -i "s/dcdr >> seq_length;/& if (seq_length > 4096) throw eprosima::fastcdr::exception::BadParamException(\"sequence too long\");/"
+              ${own}/${name}.cxx
       COMMAND ${CMAKE_COMMAND} -E copy ${own_outputs} ${kept}
       DEPENDS ${ARGN}
       COMMENT "Generating C++ from ${file}"
