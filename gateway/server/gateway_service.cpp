@@ -1,0 +1,204 @@
+#include "gateway/server/gateway_service.hpp"
+
+#include <spdlog/spdlog.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <type_traits>
+
+#include "gateway/net/pairing_link.hpp"
+#include "gateway/server/core/permissions.hpp"
+#include "gateway/web/web_assets.hpp"
+#include "services/common/file_io.hpp"
+
+namespace tandem::gateway {
+namespace {
+
+constexpr double kCommandsPerSecond = 20.0;
+constexpr double kCommandBurst = 40.0;
+constexpr int kStrikes = 3;
+constexpr Duration kRenewBefore = from_seconds(60.0);  // a link that is read now can be used for another minute
+constexpr std::uint16_t kMovedToOtherPhone = 4001;
+constexpr std::uint16_t kMalformed = 4002;
+
+std::vector<std::string> names_of(const GatewayConfig& config) {
+  std::vector<std::string> names{"localhost", "127.0.0.1", "tandem.local"};
+  for (const auto& name : config.other_names) names.push_back(name);
+  if (std::find(names.begin(), names.end(), config.link_host) == names.end()) names.push_back(config.link_host);
+  return names;
+}
+
+net::HttpsServer::Options server_options(const GatewayConfig& config) {
+  net::HttpsServer::Options options;
+  options.address = config.address;
+  options.port = static_cast<std::uint16_t>(config.port);
+  options.limits.connections_per_address = static_cast<std::size_t>(config.connections_per_address);
+  return options;
+}
+
+/// Only this user may read it: whoever has the link has the phone's rights.
+void write_private_file(const std::string& file, const std::string& content) {
+  const mode_t before = umask(0077);
+  write_file_atomically(file, content);
+  umask(before);
+}
+
+}  // namespace
+
+GatewayService::GatewayService(const GatewayConfig& config, const SiteConfig& site, bus::Bus& bus,
+                               const Clock& mission_clock, const Clock& machine_clock)
+    : config_(config),
+      site_(site),
+      machine_clock_(machine_clock),
+      epoch_(net::random_hex(8)),
+      desk_(names_of(config), machine_clock),
+      certificate_(net::load_or_create_certificate(config.state_folder, names_of(config))),
+      server_(server_options(config), certificate_, web_assets(), desk_),
+      team_(bus, site),
+      bridge_(bus, site, mission_clock),
+      health_(bus, site, "gateway"),
+      pacer_(from_seconds(1.0 / config.state_rate_hz), from_seconds(1.0)) {
+  desk_.open_at(server_.port());
+  using protocol::UserRole;
+  links_ = {{{"participant", UserRole::Participant, site.agent, true}, config.participant_link_file, true},
+            {{"observer", UserRole::Observer, "", false}, config.observer_link_file, false},
+            {{"operator", UserRole::Operator, site.agent, true}, config.operator_link_file, false}};
+  renew_links();
+}
+
+void GatewayService::step() {
+  team_.step();
+  for (const auto& event : server_.take()) {
+    const auto phone = phones_.find(event.socket);
+    switch (event.kind) {
+      case net::SocketEvent::Kind::Opened:
+        greet(event.socket, event.session);
+        break;
+      case net::SocketEvent::Kind::Text:
+        if (phone != phones_.end()) handle(event.socket, phone->second, event.text);
+        break;
+      case net::SocketEvent::Kind::Closed:
+        if (phone != phones_.end()) spdlog::info("phone gone: slot={}", phone->second.slot.name);
+        phones_.erase(event.socket);
+        break;
+    }
+  }
+  for (const auto& session : desk_.take_ended()) {
+    for (const auto& [socket, phone] : phones_) {
+      if (phone.session == session) server_.close(socket, kMovedToOtherPhone, "moved to another phone");
+    }
+  }
+  for (const auto& settled : bridge_.step()) {
+    ledger_.settle(settled.client, settled.result);
+    acknowledge(settled.client, {settled.result});
+  }
+  show_team();
+  renew_links();
+  health_.step(msg::HEALTH_OK);
+}
+
+void GatewayService::greet(net::SocketId socket, const std::string& session) {
+  const Slot slot = desk_.slot_of(session);
+  phones_.insert_or_assign(
+      socket, Phone{session, slot, RateLimit{kCommandsPerSecond, kCommandBurst, machine_clock_.now()}, 0, ""});
+  spdlog::info("phone connected: slot={} agent={} phones={}", slot.name, slot.agent, phones_.size());
+  protocol::Hello hello;
+  hello.epoch = epoch_;
+  hello.role = slot.role;
+  hello.agent = site_.agent;
+  hello.robot = site_.robot;
+  server_.send(socket, protocol::write(protocol::ServerMessage{hello}));
+  if (!team_.map().data.empty()) server_.send_latest(socket, "map", team_.map().data);
+  if (!team_.plan().data.empty()) server_.send_latest(socket, "plan", team_.plan().data);
+  if (!team_.belief().data.empty()) server_.send_latest(socket, "belief", team_.belief().data, true);
+  if (pacer_.last()) server_.send_latest(socket, "state", protocol::write(protocol::ServerMessage{*pacer_.last()}));
+  if (team_.found()) server_.send(socket, protocol::write(protocol::ServerMessage{*team_.found()}));
+}
+
+void GatewayService::handle(net::SocketId socket, Phone& phone, const std::string& text) {
+  const auto parsed = protocol::parse_client_message(text);
+  if (const auto* malformed = std::get_if<protocol::Malformed>(&parsed)) {
+    spdlog::warn("malformed message: slot={} why={}", phone.slot.name, malformed->reason);
+    server_.send(socket, protocol::write(protocol::ServerMessage{protocol::Event{"error", malformed->reason, {}}}));
+    if (++phone.strikes >= kStrikes) server_.close(socket, kMalformed, "malformed messages");
+    return;
+  }
+  std::visit(
+      [&](const auto& message) {
+        using Message = std::decay_t<decltype(message)>;
+        if constexpr (std::is_same_v<Message, protocol::Command>) {
+          handle(socket, phone, message);
+        } else if constexpr (std::is_same_v<Message, protocol::Ping>) {
+          server_.send_latest(socket, "pong",
+                              protocol::write(protocol::ServerMessage{protocol::Pong{message.sent_at_ms}}));
+        }  // Seen and Trigger are for the records of a study.
+      },
+      std::get<protocol::ClientMessage>(parsed));
+}
+
+void GatewayService::handle(net::SocketId socket, Phone& phone, const protocol::Command& command) {
+  phone.client = command.client;
+  switch (ledger_.arrive(command.client, command.sequence)) {
+    case CommandLedger::Arrival::Duplicate:
+      return acknowledge(command.client, ledger_.results_of(command.client));
+    case CommandLedger::Arrival::Gap:
+      server_.send(socket,
+                   protocol::write(protocol::ServerMessage{protocol::Event{
+                       "error", "a command before number " + std::to_string(command.sequence) + " is missing", {}}}));
+      return acknowledge(command.client, {});
+    case CommandLedger::Arrival::New:
+      break;
+  }
+  std::optional<std::string> refusal = refusal_of(phone.slot.role, command.kind, team_.search_is_running());
+  if (!refusal) refusal = refusal_of(command);
+  if (!refusal && command.point_in_map && !team_.is_on_map(*command.point_in_map)) refusal = "outside the map";
+  const bool is_stop = command.kind == protocol::CommandKind::Stop;
+  if (!refusal && !is_stop && !phone.limit.allows(machine_clock_.now())) refusal = "too many at once";
+  if (refusal) {
+    const protocol::Result result{command.sequence, "refused", *refusal};
+    ledger_.settle(command.client, result);
+    spdlog::info("command refused: kind={} slot={} why={}", protocol::name_of(command.kind), phone.slot.name, *refusal);
+    return acknowledge(command.client, {result});
+  }
+  bridge_.submit(command, phone.slot.agent);
+  acknowledge(command.client, {});
+}
+
+void GatewayService::acknowledge(const std::string& client, std::vector<protocol::Result> results) {
+  const std::string text =
+      protocol::write(protocol::ServerMessage{protocol::Ack{client, ledger_.up_to(client), std::move(results)}});
+  for (const auto& [socket, phone] : phones_) {
+    if (phone.client == client) server_.send(socket, text);
+  }
+}
+
+void GatewayService::send_to_all(const protocol::ServerMessage& message) {
+  const std::string text = protocol::write(message);
+  for (const auto& [socket, phone] : phones_) server_.send(socket, text);
+}
+
+void GatewayService::show_team() {
+  for (const auto& [socket, phone] : phones_) {
+    if (team_.map().changed) server_.send_latest(socket, "map", team_.map().data);
+    if (team_.plan().changed) server_.send_latest(socket, "plan", team_.plan().data);
+    if (team_.belief().changed) server_.send_latest(socket, "belief", team_.belief().data, true);
+  }
+  for (const auto& event : team_.events()) send_to_all(event);
+  if (phones_.empty()) return;
+  if (const auto state = pacer_.next(team_.state(), machine_clock_.now())) {
+    const std::string text = protocol::write(protocol::ServerMessage{*state});
+    for (const auto& [socket, phone] : phones_) server_.send_latest(socket, "state", text);
+  }
+}
+
+void GatewayService::renew_links() {
+  for (const auto& link : links_) {
+    if ((link.file.empty() && !link.always) || desk_.has_token(link.slot, kRenewBefore)) continue;
+    const std::string text = net::to_string(
+        net::PairingLink{config_.link_host, server_.port(), desk_.issue(link.slot), certificate_.fingerprint});
+    if (!link.file.empty()) write_private_file(link.file, text + "\n");
+    if (link.slot.role == protocol::UserRole::Participant) participant_link_ = text;
+  }
+}
+
+}  // namespace tandem::gateway

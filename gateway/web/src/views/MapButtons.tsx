@@ -1,0 +1,55 @@
+import * as store from "../store";
+import { radians } from "../units";
+
+function recentre(): void {
+  const view = store.view.value;
+  if (view !== undefined) store.showEverything(view.width, view.height);
+}
+
+function turnUpright(): void {
+  if (store.view.value !== undefined) store.view.value = { ...store.view.value, turn: radians(0) };
+}
+
+/** Down the right edge of the map, in reach of a thumb. */
+export function MapButtons() {
+  const texts = store.t.value;
+  const turned = store.view.value !== undefined && Math.abs(store.view.value.turn) > 0.01;
+  return (
+    <div class="map-buttons">
+      {turned && (
+        <button type="button" aria-label={texts.north} onClick={turnUpright}>
+          <svg viewBox="0 0 24 24" aria-hidden="true">
+            <path d="M12 2l5 11H7z" class="ink-red" />
+            <path d="M12 22l-5-9h10z" />
+          </svg>
+        </button>
+      )}
+      <button
+        type="button"
+        aria-label={texts.belief}
+        aria-pressed={store.showBelief.value}
+        onClick={() => (store.showBelief.value = !store.showBelief.value)}
+      >
+        <svg viewBox="0 0 24 24" aria-hidden="true">
+          <path d="M12 3l9 5-9 5-9-5z" />
+          <path d="M3 12l9 5 9-5M3 16l9 5 9-5" class="line" />
+        </svg>
+      </button>
+      <button type="button" aria-label={texts.recentre} onClick={recentre}>
+        <svg viewBox="0 0 24 24" aria-hidden="true">
+          <path d="M4 9V4h5M20 9V4h-5M4 15v5h5M20 15v5h-5" class="line" />
+          <circle cx="12" cy="12" r="3" />
+        </svg>
+      </button>
+    </div>
+  );
+}
+
+export function UndoChip() {
+  if (store.undo.value === undefined) return null;
+  return (
+    <button type="button" class="undo" onClick={store.undoGoal}>
+      ↶ {store.t.value.undo}
+    </button>
+  );
+}
