@@ -18,6 +18,7 @@ constexpr double kCommandsPerSecond = 20.0;
 constexpr double kCommandBurst = 40.0;
 constexpr int kStrikes = 3;
 constexpr Duration kRenewBefore = from_seconds(60.0);  // a link that is read now can be used for another minute
+constexpr Duration kComeBack = from_seconds(30.0);     // a phone that lost its link gets so long
 constexpr std::uint16_t kMovedToOtherPhone = 4001;
 constexpr std::uint16_t kMalformed = 4002;
 
@@ -60,9 +61,9 @@ GatewayService::GatewayService(const GatewayConfig& config, const SiteConfig& si
       pacer_(from_seconds(1.0 / config.state_rate_hz), from_seconds(1.0)) {
   desk_.open_at(server_.port());
   using protocol::UserRole;
-  links_ = {{{"participant", UserRole::Participant, site.agent, true}, config.participant_link_file, true},
-            {{"observer", UserRole::Observer, "", false}, config.observer_link_file, false},
-            {{"operator", UserRole::Operator, site.agent, true}, config.operator_link_file, false}};
+  links_ = {{{"participant", UserRole::Participant, site.agent, true}, config.participant_link_file, true, false, {}},
+            {{"observer", UserRole::Observer, "", false}, config.observer_link_file, false, false, {}},
+            {{"operator", UserRole::Operator, site.agent, true}, config.operator_link_file, false, false, {}}};
   renew_links();
 }
 
@@ -192,8 +193,19 @@ void GatewayService::show_team() {
 }
 
 void GatewayService::renew_links() {
-  for (const auto& link : links_) {
+  const Time now = machine_clock_.now();
+  for (auto& link : links_) {
     if ((link.file.empty() && !link.always) || desk_.has_token(link.slot, kRenewBefore)) continue;
+    const bool unused = desk_.has_token(link.slot, Duration{0});
+    if (link.issued && !unused && link.slot.exclusive) {
+      // A phone has used it: no other is invited while that one is here or may come back.
+      const bool here = std::any_of(phones_.begin(), phones_.end(),
+                                    [&](const auto& one) { return one.second.slot.name == link.slot.name; });
+      if (here || !link.alone_since) link.alone_since = now;
+      if (now - *link.alone_since < kComeBack) continue;
+    }
+    link.issued = true;
+    link.alone_since.reset();
     const std::string text = net::to_string(
         net::PairingLink{config_.link_host, server_.port(), desk_.issue(link.slot), certificate_.fingerprint});
     if (!link.file.empty()) write_private_file(link.file, text + "\n");

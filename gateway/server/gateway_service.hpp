@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ class GatewayService {
     Slot slot;
     std::string file;
     bool always = false;  ///< a link is made even if no file is asked for
+    bool issued = false;
+    std::optional<Time> alone_since;  ///< since when its phone is not here
   };
 
   void greet(net::SocketId socket, const std::string& session);

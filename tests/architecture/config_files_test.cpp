@@ -3,6 +3,7 @@
 #include <functional>
 #include <map>
 
+#include "gateway/server/core/gateway_config.hpp"
 #include "robot/camera/core/camera_config.hpp"
 #include "robot/laser/core/laser_config.hpp"
 #include "robot/pioneer/base_config.hpp"
@@ -32,6 +33,7 @@ const std::map<std::string, std::function<void(const std::filesystem::path&)>>& 
   static const std::map<std::string, std::function<void(const std::filesystem::path&)>> by_name{
       {"camera.toml", load<CameraConfig>},
       {"base.toml", load<BaseConfig>},
+      {"gateway.toml", load<gateway::GatewayConfig>},
       {"laser.toml", load<LaserConfig>},
       {"localization.toml", load<LocalizationConfig>},
       {"map-server.toml", load<MapServerConfig>},
