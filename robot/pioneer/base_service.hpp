@@ -46,7 +46,7 @@ class BaseService {
   Time next_cycle_{};
   Time next_status_{};
   msg::BaseStatus last_status_;
-  std::string last_trouble_;
+  std::string last_trouble_ = "connecting";
   safety::Causes last_causes_;
   bool marked_ = false;
 
