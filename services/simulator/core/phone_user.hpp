@@ -23,13 +23,13 @@ struct PhonePlan {
 struct PhoneUserInput {
   Time now{};
   double dt_s = 0.0;  ///< Since the last call.
-  Pose2 map_from_person;
+  Pose2 map_from_person = {};
   bool walking = false;  ///< Still under way on the route last taken.
   bool connected = false;
   bool computing = false;    ///< The phone shows that a plan is being computed.
   bool search_over = false;  ///< The phone shows that it was found, or time is up.
-  std::optional<PhonePlan> plan;
-  std::optional<Eigen::Vector2d> visible_token_in_map;  ///< In line of sight and near enough to be seen.
+  std::optional<PhonePlan> plan = {};
+  std::optional<Eigen::Vector2d> visible_token_in_map = {};  ///< In line of sight and near enough to be seen.
 };
 
 enum class PhonePress { MyPose, Replan, Found };

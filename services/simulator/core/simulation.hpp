@@ -50,7 +50,7 @@ class Simulation {
     bool connected = false;
     bool computing = false;
     bool search_over = false;
-    std::optional<PhonePlan> plan;
+    std::optional<PhonePlan> plan = {};
   };
   [[nodiscard]] std::vector<PhoneMessage> step_person(const PhoneView& view, double dt_s, Time now);
 
