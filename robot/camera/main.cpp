@@ -14,6 +14,7 @@ int main(int argc, char** argv) try {
   const auto site = load_config<SiteConfig>(options.site_file());
   const auto config = load_config<CameraConfig>(options.config_file());
 
+  ::setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);  // quiet: what FFmpeg meets is said by us, once
   const StopSignal stop;
   bus::Bus bus{bus::host_domain(site, "camera")};
   const auto mission = bus::make_clock(options.clock, bus);

@@ -59,6 +59,7 @@ void LaserDriver::open() {
   link_ = std::move(opened.link);
   session_.emplace(config_, timer_.now());
   device_clock_.reset();
+  watch_.reset();
 }
 
 void LaserDriver::lose(std::string reason) {
@@ -75,7 +76,11 @@ void LaserDriver::lose(std::string reason) {
 LaserReading LaserDriver::stamped(const scip::ScanData& scan, Time received) {
   const scip::SensorParameters& sensor = *session_->sensor();
   if (!device_clock_) device_clock_.emplace(least_delay(sensor, scan.request));
-  return reading_of(scan, sensor, device_clock_->mission_time(scan.timestamp_ms, received), config_.range_max_m);
+  if (!watch_) watch_.emplace(scip::turn_period_s(sensor) * (scan.request.skip + 1));
+  const Time index_mark = device_clock_->mission_time(scan.timestamp_ms, received);
+  LaserReading reading = reading_of(scan, sensor, index_mark, config_.range_max_m);
+  watch_->add(reading);
+  return reading;
 }
 
 void LaserDriver::stop() {

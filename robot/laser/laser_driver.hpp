@@ -8,6 +8,7 @@
 #include "robot/laser/core/laser_config.hpp"
 #include "robot/laser/core/laser_reading.hpp"
 #include "robot/laser/core/reconnection.hpp"
+#include "robot/laser/core/scan_watch.hpp"
 #include "robot/laser/core/scip_session.hpp"
 #include "robot/link/byte_link.hpp"
 #include "services/common/clock.hpp"
@@ -36,6 +37,8 @@ class LaserDriver {
   /// The scans that came; waits for bytes, or for the next try to open the device, at most 50 ms.
   [[nodiscard]] std::vector<LaserReading> step();
   [[nodiscard]] const LaserCondition& condition() const { return condition_; }
+  /// What is wrong with the scans while they stream; empty when nothing is.
+  [[nodiscard]] std::string complaint() const { return watch_ ? watch_->complaint() : ""; }
   /// Which sensor it is, once it streams.
   [[nodiscard]] const std::string& identity() const { return identity_; }
   /// Damaged replies and wrong scans since the start.
@@ -54,6 +57,7 @@ class LaserDriver {
   std::optional<ByteLink> link_;
   std::optional<ScipSession> session_;
   std::optional<DeviceClock> device_clock_;
+  std::optional<ScanWatch> watch_;
   Reconnection reconnection_;
   Time next_try_;
   LaserCondition condition_;

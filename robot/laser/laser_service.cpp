@@ -47,19 +47,25 @@ void LaserService::report() {
     if (condition.state == LaserCondition::State::Lost) spdlog::warn("no laser: {}", condition.reason);
     logged_ = condition;
   }
-  const Time now = timer_.now();
-  if (driver_.damaged() != damaged_) {
-    if (!was_damaged_) spdlog::warn("laser replies damaged: count={}", driver_.damaged());
-    damaged_ = driver_.damaged();
-    last_damage_ = now;
-    was_damaged_ = true;
+  const std::string complaint = complaint_now();
+  if (complaint.empty() != complaint_.empty()) {
+    if (!complaint.empty()) spdlog::warn("laser in doubt: {}", complaint);
+    complaint_ = complaint;
   }
-  if (now - last_damage_ > kRemembersDamage) was_damaged_ = false;
-  if (condition.state == LaserCondition::State::Streaming && was_damaged_) {
-    health_.step(msg::HEALTH_DEGRADED, "damaged replies within the last seconds: check cable and supply");
+  if (condition.state == LaserCondition::State::Streaming && !complaint.empty()) {
+    health_.step(msg::HEALTH_DEGRADED, complaint);
   } else {
     health_.step(health_of(condition.state), condition.reason);
   }
+}
+
+std::string LaserService::complaint_now() {
+  const Time now = timer_.now();
+  if (driver_.damaged() != damaged_) last_damage_ = now;
+  damaged_ = driver_.damaged();
+  if (auto complaint = driver_.complaint(); !complaint.empty()) return complaint;
+  if (last_damage_ && now - *last_damage_ < kRemembersDamage) return "damaged replies: check the cable and its supply";
+  return "";
 }
 
 }  // namespace tandem

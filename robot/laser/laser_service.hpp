@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "robot/laser/laser_driver.hpp"
 #include "services/bus/bus.hpp"
 #include "services/bus/health.hpp"
@@ -17,6 +20,7 @@ class LaserService {
 
  private:
   void report();
+  [[nodiscard]] std::string complaint_now();
 
   LaserDriver driver_;
   Clock& timer_;
@@ -27,8 +31,8 @@ class LaserService {
   std::uint64_t sequence_number_ = 0;
   LaserCondition logged_;
   std::uint64_t damaged_ = 0;
-  Time last_damage_;
-  bool was_damaged_ = false;
+  std::optional<Time> last_damage_;
+  std::string complaint_;
 };
 
 }  // namespace tandem

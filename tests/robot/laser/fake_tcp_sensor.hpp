@@ -43,7 +43,8 @@ class FakeTcpSensor {
       send(sensor.answer({buffer.data(), static_cast<std::size_t>(count)}));
     }
     timestamp_ms_ = (timestamp_ms_ + 100) & 0xFFFFFF;
-    send(sensor.scan(timestamp_ms_, 1000));
+    range_mm_ = 2001 - range_mm_;  // 1000 and 1001 in turn: a sensor that is alive
+    send(sensor.scan(timestamp_ms_, range_mm_));
   }
   void hang_up() {
     if (connection_ >= 0) ::close(std::exchange(connection_, -1));
@@ -80,6 +81,7 @@ class FakeTcpSensor {
   int listener_ = -1;
   int connection_ = -1;
   std::uint16_t port_ = 0;
+  std::uint32_t range_mm_ = 1000;
   std::uint32_t timestamp_ms_ = 0xFFFF00;  // about to wrap
 };
 
