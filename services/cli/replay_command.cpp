@@ -17,6 +17,7 @@ struct ReplayCommandOptions {
   std::string file;
   std::string rate = "1";
   std::string trajectory;
+  std::string scans = "all";
   HostOptions host;
   recorder::ReplayOptions replay;
 };
@@ -43,6 +44,7 @@ std::string trajectory_line(const msg::RobotPose& pose) {
 void run(ReplayCommandOptions options) {
   (void)stop_requested();  // from here on Ctrl-C is asked for
   options.replay.rate = rate_of(options.rate);
+  options.replay.odd_scans_only = options.scans == "odd";
   if (!options.trajectory.empty() && !options.replay.lockstep) throw WrongUse("replay: --trajectory needs --lockstep");
   if (options.replay.lockstep && options.replay.loop)
     throw WrongUse("replay: --lockstep and --loop exclude each other");
@@ -77,6 +79,9 @@ void add_replay_command(CLI::App& tandem) {
   command->add_option("--from", options->replay.from_s, "Begin this many seconds into it")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--topics", options->replay.topics, "Only these, separated by commas")->delimiter(',');
+  command->add_option("--scans", options->scans, "All, or every second one (1, 3, 5 ...)")
+      ->check(CLI::IsMember({"all", "odd"}))
+      ->capture_default_str();
   command->add_flag("--loop", options->replay.loop, "Again and again");
   command->add_flag("--lockstep", options->replay.lockstep, "Wait for localization's pose after each scan");
   command->add_option("--trajectory", options->trajectory, "With --lockstep: write the poses as lines of t x y theta");

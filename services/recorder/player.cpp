@@ -43,8 +43,11 @@ std::optional<bus::KeyHash> key_of(eprosima::fastdds::dds::TopicDataType& type, 
 
 Player::Player(mcap::Reader& reader, bus::Bus& bus, ReplayOptions options)
     : reader_(reader), bus_(bus), options_(std::move(options)), clock_(bus.writer(topic::kClock)) {
-  refuse_beside_a_base();
   make_outputs();
+  refuse_beside_a_base();
+  for (auto& [topic, output] : outputs_) {
+    if (!output.writer) output.writer = bus_.raw_writer(*output.info);
+  }
   // A replay at free rate starts a time of its own, whatever was replayed before; lockstep feeds fresh services.
   if (!options_.lockstep) epoch_ = static_cast<std::uint32_t>(to_stamp_ns(bus_.clock().now()) / 1'000'000'000);
 }
@@ -68,7 +71,10 @@ void Player::make_outputs() {
     if (info == all_topics().end()) continue;  // of another program
     channel_topics_[id] = topic;
     if (disposed) disposed_channels_.insert(id);
-    if (!outputs_.contains(topic)) outputs_[topic] = {&*info, info->make_type(), bus_.raw_writer(*info)};
+    if (outputs_.contains(topic)) continue;
+    // While we look for a base, the others' readers find our writers; only that of base_status must wait.
+    const bool waits = topic == topic::kBaseStatus.name;
+    outputs_[topic] = {&*info, info->make_type(), waits ? nullptr : bus_.raw_writer(*info)};
   }
   if (outputs_.empty()) throw std::runtime_error("the recording holds none of the topics to replay");
 }
@@ -101,6 +107,15 @@ void Player::send_latched_before(std::size_t first) {
   }
 }
 
+std::uint64_t Player::scans_before(std::size_t first) {
+  std::uint64_t scans = 0;
+  for (std::size_t i = 0; i < first; ++i) {
+    const Output* output = output_of(reader_.channel_at(i));
+    if (output != nullptr && output->info->name == topic::kScan.name) ++scans;
+  }
+  return scans;
+}
+
 void Player::send_clock(Time time, double rate) {
   msg::Clock clock;
   clock.stamp_ns(to_stamp_ns(time));
@@ -119,44 +134,51 @@ bool Player::wait_until(Time due, const ReplayPace& pace, const std::function<bo
   return true;
 }
 
+void Player::send_scan(const mcap::Message& message, Output& output, const Pass& pass) {
+  send_clock(log_time(message.log_time), 0.0);
+  for (const auto& [name, other] : outputs_) pass.peer->expect_delivery(*other.writer, name);
+  const auto scan = bus::decode<msg::LaserScanPubSubType>(bytes_of(message.data));
+  send(message, output);
+  if (scan) pass.on_pose(pass.peer->pose_of(scan->stamp_ns(), [&pass] { return pass.keep_going(pass.share); }));
+}
+
+bool Player::play_once(std::size_t first, Time begin, Pass pass) {
+  const bool paced = pass.peer == nullptr && options_.rate > 0.0;
+  const ReplayPace pace{begin, bus_.clock().now(), options_.rate};
+  send_latched_before(first);
+  std::uint64_t scans = scans_before(first);
+  for (std::size_t i = first; i < reader_.message_count(); ++i) {
+    Output* output = output_of(reader_.channel_at(i));
+    if (output == nullptr) continue;
+    const bool is_scan = output->info->name == topic::kScan.name;
+    if (is_scan && options_.odd_scans_only && scans++ % 2 == 0) continue;
+    pass.share = static_cast<double>(i) / static_cast<double>(reader_.message_count());
+    const Time logged = log_time(reader_.log_time_at(i));
+    const auto going = [&pass] { return pass.keep_going(pass.share); };
+    if (paced && !wait_until(pace.due(logged), pace, going)) return false;
+    if (!paced && sent_ % kMessagesBetweenReports == 0 && !going()) return false;
+    const auto message = reader_.message_at(i);
+    if (!message) continue;  // damaged; the reader has noted it
+    if (is_scan && pass.peer != nullptr) {
+      send_scan(*message, *output, pass);
+      continue;
+    }
+    if (!paced && pass.peer == nullptr) send_clock(logged, 0.0);
+    send(*message, *output);
+  }
+  return true;
+}
+
 std::uint64_t Player::play(const KeepGoing& keep_going, const OnPose& on_pose) {
   if (reader_.message_count() == 0) throw std::runtime_error("the recording is empty");
-  std::unique_ptr<LockstepPeer> peer;
-  if (options_.lockstep) peer = std::make_unique<LockstepPeer>(bus_);
-  const bool paced = !options_.lockstep && options_.rate > 0.0;
+  std::optional<LockstepPeer> peer;
+  if (options_.lockstep) peer.emplace(bus_);
 
   const Time begin = log_time(reader_.log_time_at(0)) + from_seconds(options_.from_s);
   std::size_t first = 0;
   while (first < reader_.message_count() && log_time(reader_.log_time_at(first)) < begin) ++first;
-  bool going = true;
-  do {
-    const ReplayPace pace{begin, bus_.clock().now(), options_.rate};
-    send_latched_before(first);
-    for (std::size_t i = first; going && i < reader_.message_count(); ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(reader_.message_count());
-      Output* output = output_of(reader_.channel_at(i));
-      if (output == nullptr) continue;
-      const Time logged = log_time(reader_.log_time_at(i));
-      if (paced) {
-        going = wait_until(pace.due(logged), pace, [&] { return keep_going(share); });
-      } else if (sent_ % kMessagesBetweenReports == 0) {
-        going = keep_going(share);
-      }
-      const auto message = reader_.message_at(i);
-      if (!going || !message) continue;
-      if (output->info->name == topic::kScan.name && peer) {
-        send_clock(logged, 0.0);
-        for (const auto& [name, other] : outputs_) peer->expect_delivery(*other.writer, name);
-        const auto scan = bus::decode<msg::LaserScanPubSubType>(bytes_of(message->data));
-        send(*message, *output);
-        if (scan) on_pose(peer->pose_of(scan->stamp_ns(), [&] { return keep_going(share); }));
-      } else {
-        if (!paced && !peer) send_clock(logged, 0.0);
-        send(*message, *output);
-      }
-    }
-    ++epoch_;
-  } while (going && options_.loop);
+  const Pass pass{keep_going, on_pose, peer ? &*peer : nullptr, 0.0};
+  while (play_once(first, begin, pass) && options_.loop) ++epoch_;
   for (const auto& [name, output] : outputs_) output.writer->wait_for_acknowledgments(std::chrono::seconds{2});
   return sent_;
 }

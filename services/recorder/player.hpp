@@ -14,6 +14,8 @@
 
 namespace tandem::recorder {
 
+class LockstepPeer;
+
 /// Sends a recording's messages again, payloads and source stamps as recorded, with the clock topic as their time.
 class Player {
  public:
@@ -39,11 +41,24 @@ class Player {
     std::unique_ptr<bus::RawWriter> writer;
   };
 
+  /// What one run through the recording is given.
+  struct Pass {
+    const KeepGoing& keep_going;
+    const OnPose& on_pose;
+    LockstepPeer* peer = nullptr;  ///< none at free rate
+    double share = 0.0;            ///< of the recording, played so far
+  };
+
+  /// False: it was told to end.
+  bool play_once(std::size_t first, Time begin, Pass pass);
+  /// In lockstep: sends the scan once all before it has arrived, and waits for its pose.
+  void send_scan(const mcap::Message& message, Output& output, const Pass& pass);
   void refuse_beside_a_base();
   void make_outputs();
   [[nodiscard]] Output* output_of(std::uint16_t channel_id);
   void send(const mcap::Message& message, Output& output);
   void send_latched_before(std::size_t first);
+  [[nodiscard]] std::uint64_t scans_before(std::size_t first);
   void send_clock(Time time, double rate);
   /// Sleeps until `due`, telling the time meanwhile. False: the replay is to end.
   bool wait_until(Time due, const ReplayPace& pace, const std::function<bool()>& keep_going);
