@@ -28,8 +28,11 @@ void PlanKeeper::receive(PlanNews news, Time received) {
       refreshed_ = received;
       break;
     case PlanState::Proposed:
-      // The accepted plan goes on while its planner proposes the next one, as long as it is refreshed itself.
-      if (!same && plan_ && plan_->state == PlanState::Accepted && is_alive(received)) break;
+      // The accepted plan goes on while its planner, which lives and has not withdrawn it, proposes the next one.
+      if (!same && plan_ && plan_->state == PlanState::Accepted && is_alive(received)) {
+        refreshed_ = received;
+        break;
+      }
       plan_ = std::move(news);
       refreshed_ = received;
       break;

@@ -24,9 +24,9 @@ struct PlanNews {
 
 /// Which plan may be executed now: an accepted one that its planner keeps alive.
 ///
-/// A plan is alive while its planner repeats it. One that has been heard a single time may be the last word of a dead
-/// planner, kept by the middleware for late joiners: it counts once its planner has been heard again. While a plan is
-/// alive, another planner's is not taken up.
+/// A plan is alive while its planner repeats it, or proposes the next one without withdrawing it. One that has been
+/// heard a single time may be the last word of a dead planner, kept by the middleware for late joiners: it counts once
+/// its planner has been heard again. While a plan is alive, another planner's is not taken up.
 class PlanKeeper {
  public:
   explicit PlanKeeper(Duration timeout) : timeout_(timeout) {}

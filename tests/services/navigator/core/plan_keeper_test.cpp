@@ -63,10 +63,13 @@ TEST(PlanKeeper, TheAcceptedPlanGoesOnWhileTheNextIsProposed) {
   PlanKeeper keeper{from_seconds(2.0)};
   keeper.receive(news("p1", PlanState::Accepted, 1), at(0.0));
   keeper.receive(news("p1", PlanState::Accepted, 2), at(1.0));
-  keeper.receive(news("p2", PlanState::Proposed, 3), at(1.5));
-  EXPECT_EQ(keeper.plan()->id, "p1");
-  EXPECT_EQ(keeper.standing(at(1.6), "S1"), Standing::Executable);
-  keeper.receive(news("p2", PlanState::Accepted, 4), at(2.5));
+  for (int second = 2; second <= 4; ++second) {  // the time a person has to say Replan
+    keeper.receive(news("p2", PlanState::Proposed, static_cast<std::uint64_t>(second) + 1), at(second));
+    EXPECT_EQ(keeper.plan()->id, "p1");
+    EXPECT_EQ(keeper.standing(at(second + 0.9), "S1"), Standing::Executable);
+  }
+  EXPECT_EQ(keeper.standing(at(6.1), "S1"), Standing::Dead);  // the planner fell silent
+  keeper.receive(news("p2", PlanState::Accepted, 6), at(6.2));
   EXPECT_EQ(keeper.plan()->id, "p2");
 }
 
