@@ -83,7 +83,8 @@ TEST(RecordedPeople, FindsMostAnnotatedLegsWithoutAMap) {
   EXPECT_GT(found, annotated * 80 / 100);
 }
 
-TEST(RecordedPeople, SeesFewLegsWhereNobodyIs) {
+/// Known weakness: without a map, furniture has legs too. docs/tracking.md says what follows from it.
+TEST(RecordedPeople, WithoutAMapClutterIsTakenForPeople) {
   const auto folder = data_folder();
   if (!folder) GTEST_SKIP() << "the recorded people are not there: set TANDEM_DATA (docs/data.md)";
   const TrackingConfig config;
@@ -95,8 +96,9 @@ TEST(RecordedPeople, SeesFewLegsWhereNobodyIs) {
       if (sighting.pair) pairs += 1.0;
     }
   }
-  std::cout << pairs / scans << " people seen in a scan of an empty place, without a map\n";
-  EXPECT_GT(scans, 400.0);
+  std::cout << pairs / scans << " people seen in a scan of a place without any\n";
+  EXPECT_EQ(scans, 435.0);
+  EXPECT_LT(pairs / scans, 10.0);
 }
 
 }  // namespace
