@@ -99,14 +99,15 @@ Decision Navigator::decide(const Situation& situation) {
   const double still_s = to_seconds(situation.now - last_motion_.since);
   const double stuck_s = to_seconds(situation.now - last_progress_.since);
   decision.execution.blocked = still_s >= config_.blocked_after_s || stuck_s >= config_.stuck_after_s;
-  decision.execution.moving = decision.velocity != Twist2{} && still_s < config_.blocked_after_s;
+  decision.execution.moving = decision.velocity != Twist2{} && still_s < config_.blocked_after_s &&
+                              (situation.base.stopped_by.empty() || situation.base.by_obstacle);
   if (decision.execution.blocked) {
     constexpr double kNear = 1.0;  // [m] farther obstacles are not what it stands in front of
     decision.execution.blocked_at_in_map = course.free.way_m < kNear
                                                ? map_from_base * course.free.obstacle_in_base
                                                : follower_.path().point_at(aim.way_m + 0.5 * config_.hull_length_m);
   }
-  if (!situation.base.stopped_by.empty()) {
+  if (!situation.base.stopped_by.empty() && !situation.base.by_obstacle) {
     decision.execution.reason = "the base is stopped: " + situation.base.stopped_by;
   } else if (decision.execution.blocked) {
     decision.execution.reason = still_s >= config_.blocked_after_s ? "something is in the way" : "it does not get on";

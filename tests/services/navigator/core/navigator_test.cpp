@@ -132,6 +132,7 @@ TEST(Navigator, AStopPressedByAPersonIsNotABlockedPath) {
   drive.base = {"stop requested", false};
   ASSERT_FALSE(drive.drive_until(20.0, [](const Decision& decision) { return decision.execution.blocked; }));
   EXPECT_EQ(drive.step().execution.reason, "the base is stopped: stop requested");
+  EXPECT_FALSE(drive.step().execution.moving);
   drive.base = {};
   EXPECT_TRUE(drive.drive_to_goal(40.0));
 }
@@ -148,7 +149,7 @@ TEST(Navigator, TakesUpTheNextPlanWhereItIs) {
 }
 
 TEST(Navigator, NeverExceedsItsLimitsOnRandomPathsInARoomWithObstacles) {
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     Rng rng{seed};
     std::vector<Wall> walls = box(-0.5, -0.5, 8.5, 8.5);
     for (int i = 0; i < 5; ++i) {
