@@ -123,7 +123,8 @@ const Leg& ActionSet::leg(int from, int to) {
     leg.views.push_back(view_at(pose_at(path, (step + 0.5) * options_.step_s)));
     for (const int cell : view(leg.views.back())) ++looks[cell];
   }
-  leg.looks.assign(looks.begin(), looks.end());
+  const double exposure_per_step = searcher_.detection_rate_per_s * options_.step_s;
+  for (const auto& [cell, count] : looks) leg.looks.push_back({cell, -std::expm1(-exposure_per_step * count)});
   return leg;
 }
 

@@ -12,13 +12,19 @@
 
 namespace tandem {
 
+/// That an object in a search cell is detected on the way, if it lies there.
+struct Look {
+  int cell = -1;
+  double probability = 0.0;
+};
+
 /// An action: going from one place of an action set to another, and what is seen on the way.
 struct Leg {
   std::vector<Eigen::Vector2d> way;  ///< [m]; empty: no way leads there
   double initial_heading_rad = 0.0;
   double final_heading_rad = 0.0;
-  std::vector<int> views;                  ///< of each step, numbers of views of the action set
-  std::vector<std::pair<int, int>> looks;  ///< search cell, and how many steps it is seen
+  std::vector<int> views;   ///< of each step, numbers of views of the action set
+  std::vector<Look> looks;  ///< what is seen, each cell once
 
   [[nodiscard]] bool possible() const { return !way.empty(); }
   [[nodiscard]] int steps() const { return static_cast<int>(views.size()); }

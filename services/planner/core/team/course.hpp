@@ -9,7 +9,8 @@ namespace tandem {
 /// Something a member can do next.
 struct Choice {
   int place = -1;      ///< -1: wait until the horizon
-  double score = 0.0;  ///< new mass per time^1.5, what is promised by others left out
+  double score = 0.0;  ///< gain per time^1.5
+  double gain = 0.0;   ///< the mass it shows that nobody has promised to look at yet
 };
 
 /// A joint plan in the making: who is under way to where, until when, and what mass is not yet promised to be seen.
@@ -37,8 +38,7 @@ class Course {
     bool goal_ahead = false;
     double detour_left_m = 0.0;  ///< how far it may still walk to the goal
   };
-  [[nodiscard]] double gain(int member, const Leg& leg) const;
-  [[nodiscard]] double score(int member, int place) const;
+  [[nodiscard]] Choice appraised(int member, int place) const;
   void add_far_lookouts(int member, std::vector<Choice>& choices) const;
 
   const TeamProblem* problem_;
