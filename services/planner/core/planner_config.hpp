@@ -21,7 +21,7 @@ struct PlannerConfig {
   // The plan.
   std::int64_t rollouts = 300;  ///< Budget of one plan.
   std::int64_t seed = 1;
-  double horizon_s = 100.0;         ///< Length of plans [s].
+  double horizon_s = 120.0;         ///< Length of plans [s].
   double step_s = 0.5;              ///< Time is counted in steps of this [s].
   double acceptance_delay_s = 3.0;  ///< A proposal without a Replan is accepted after this [s].
   double slice_s = 0.03;            ///< Computing at a stretch, between heartbeats [s].
@@ -50,7 +50,7 @@ struct PlannerConfig {
   double person_speed_mps = 0.75;
   double person_radius_m = 0.25;
   double person_preferred_clearance_m = 0.5;
-  double person_lookout_range_m = 2.5;
+  double person_lookout_range_m = 3.0;
   double person_view_m = 3.0;
   double person_detection_rate_per_s = 0.5;
 
