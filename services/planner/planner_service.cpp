@@ -152,7 +152,8 @@ void PlannerService::publish_plan(Time now) {
   const bool holds = standing == PlanStanding::Proposed || standing == PlanStanding::Accepted;
   const bool is_news = mission_.plan()->id != published_plan_ || standing != published_standing_;
   if (!is_news && (!holds || now < plan_due_)) return;
-  if (is_news) spdlog::info("plan {}: id={}", name_of(standing), mission_.plan()->id);
+  if (is_news && standing != PlanStanding::Proposed)
+    spdlog::info("plan {}: id={}", name_of(standing), mission_.plan()->id);
   team_plan_.write(
       to_message(*mission_.plan(), standing, {site_.robot, session_code_, identity_, ++sequence_number_, now}));
   published_plan_ = mission_.plan()->id;

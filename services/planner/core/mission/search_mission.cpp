@@ -138,6 +138,9 @@ void SearchMission::found() {
 
 bool SearchMission::step(Time now, const std::function<bool()>& slice_over) {
   prepare();
+  if (world_ && !computation_) {
+    while (!slice_over() && (world_->robot().prepare_next() || world_->person().prepare_next())) continue;
+  }
   if (!running_ || !world_ || activity_ == MissionActivity::Finished) return false;
   follow_person(now);
   drop_reached_goals(now);

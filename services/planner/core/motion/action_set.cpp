@@ -38,6 +38,13 @@ ActionSet::ActionSet(const OccupancyGrid& map, Observability& observability, con
   panoramas_.resize(nodes_.size());
 }
 
+bool ActionSet::prepare_next() {
+  if (prepared_ == lookout_count_) return false;
+  for (const int lookout : nearest_lookouts(prepared_)) (void)leg(prepared_, lookout);
+  ++prepared_;
+  return true;
+}
+
 void ActionSet::forget_added_places() {
   const auto count = static_cast<std::size_t>(lookout_count_);
   nodes_.resize(count);

@@ -48,6 +48,8 @@ class ActionSet {
             const ActionSetOptions& options, const Eigen::Vector2d& start_in_map,
             const std::vector<BlockedDisc>& blocked = {});
 
+  /// Finds ways and views of one more lookout ahead of need; false once all are there.
+  bool prepare_next();
   /// Forgets the places added for the last plan.
   void forget_added_places();
   /// Adds a start or goal: the nearest place it can stand at within `reach_m`; none if there is none.
@@ -79,6 +81,7 @@ class ActionSet {
   Observability& observability_;
   MotionMap motion_;
   int lookout_count_ = 0;
+  int prepared_ = 0;                       ///< lookouts, from the first
   std::vector<int> nodes_;                 ///< of motion_, per place
   std::vector<ShortestPaths> paths_;       ///< per place, empty until asked for
   std::vector<std::vector<int>> nearest_;  ///< per place

@@ -1,0 +1,221 @@
+#include "services/planner/planner_service.hpp"
+
+#include <gtest/gtest.h>
+
+#include "services/bus/events.hpp"
+#include "services/planner/planner_messages.hpp"
+#include "tests/services/planner/support/room.hpp"
+#include "tests/support/domain_lease.hpp"
+
+namespace tandem {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+PlannerConfig quick_config() {
+  PlannerConfig config;
+  config.rollouts = 5;
+  config.horizon_s = 20.0;
+  return config;
+}
+
+SiteConfig site_in(int domain) {
+  SiteConfig site;
+  site.host = "laptop1";
+  site.host_domain = domain;
+  return site;
+}
+
+msg::OccupancyGrid map_message() {
+  const OccupancyGrid grid = empty_room(10, 8);
+  msg::OccupancyGrid message;
+  message.map_id("hall");
+  message.resolution_m(grid.resolution_m());
+  message.width(static_cast<std::uint32_t>(grid.width()));
+  message.height(static_cast<std::uint32_t>(grid.height()));
+  for (const CellState cell : grid.cells()) message.cells().push_back(static_cast<std::uint8_t>(cell));
+  return message;
+}
+
+/// The planner on a bus, and everybody else on another participant of the same domain.
+class PlannerServiceTest : public ::testing::Test {
+ protected:
+  PlannerServiceTest() {
+    map.write(map_message());
+    tell_poses();
+  }
+  void tell_poses() {
+    msg::RobotPose pose;
+    pose.robot(site.robot);
+    pose.stamp_ns(to_stamp_ns(clock.now()));
+    pose.map_from_base().x(2.0);
+    pose.map_from_base().y(2.0);
+    robot_pose.write(pose);
+    msg::TeammateState person;
+    person.agent(site.agent);
+    person.robot(site.robot);
+    person.stamp_ns(to_stamp_ns(clock.now()));
+    person.map_from_agent().x(3.0);
+    person.map_from_agent().y(2.0);
+    teammates.write(person);
+  }
+  void tell_session(msg::SessionPhase phase) {
+    msg::SessionState state;
+    state.robot(site.robot);
+    state.code("S01");
+    state.phase(phase);
+    session.write(state);
+  }
+  /// Steps planner and time until `condition` holds.
+  template <typename Condition>
+  bool step_until(Condition condition) {
+    return bus::wait_until(others, seconds{20}, [&] {
+      clock.advance(milliseconds{100});
+      tell_poses();
+      service.step();
+      messages.step();
+      detections.step();
+      return condition();
+    });
+  }
+  bool plan_is(msg::PlanState state) {
+    return step_until([&] {
+      const auto newest = team_plan.newest();
+      return newest && newest->message.state() == state;
+    });
+  }
+  std::string send(msg::HumanMessageKind kind, double x = 0.0, double y = 0.0) {
+    msg::HumanMessage message;
+    message.id(bus::new_event_id("test", others.clock()));
+    message.agent(site.agent);
+    message.robot(site.robot);
+    message.kind(kind);
+    message.point_in_map().x(x);
+    message.point_in_map().y(y);
+    const std::string id = message.id();
+    human_message.write(message);
+    return id;
+  }
+
+  test::DomainLease domains{1};
+  SiteConfig site = site_in(domains[0]);
+  ManualClock clock{from_stamp_ns(1'700'000'000'000'000'000)};
+  bus::Bus planner_bus{bus::host_domain(site, "planner")};
+  bus::Bus others{bus::host_domain(site, "others")};
+  bus::Writer<msg::OccupancyGrid, msg::OccupancyGridPubSubType> map = others.writer(topic::kMap);
+  bus::Writer<msg::RobotPose, msg::RobotPosePubSubType> robot_pose = others.writer(topic::kRobotPose);
+  bus::Writer<msg::TeammateState, msg::TeammateStatePubSubType> teammates = others.writer(topic::kTeammates);
+  bus::Writer<msg::SessionState, msg::SessionStatePubSubType> session = others.writer(topic::kSession);
+  bus::Writer<msg::HumanMessage, msg::HumanMessagePubSubType> human_message = others.writer(topic::kHumanMessage);
+  bus::EventSender<msg::HumanMessage, msg::HumanMessagePubSubType> messages{others, topic::kHumanMessage};
+  bus::EventSender<msg::ObjectDetection, msg::ObjectDetectionPubSubType> detections{others, topic::kDetection};
+  bus::InOrder<msg::MessageReceipt, msg::MessageReceiptPubSubType> receipts = others.in_order(topic::kMessageReceipt);
+  bus::Latest<msg::TeamPlan, msg::TeamPlanPubSubType> team_plan = others.latest(topic::kTeamPlan);
+  bus::Latest<msg::PlannerStatus, msg::PlannerStatusPubSubType> status = others.latest(topic::kPlannerStatus);
+  bus::Latest<msg::SearchBelief, msg::SearchBeliefPubSubType> belief = others.latest(topic::kBelief);
+  bus::Latest<msg::RewardSource, msg::RewardSourcePubSubType> sources = others.latest(topic::kRewardSource);
+  PlannerService service{quick_config(), site, planner_bus, clock};
+};
+
+TEST_F(PlannerServiceTest, APlanIsProposedThenAcceptedThenRefreshedEverySecond) {
+  ASSERT_TRUE(step_until([&] { return belief.newest().has_value(); }));  // map and robot are known
+  EXPECT_FALSE(team_plan.newest());
+  tell_session(msg::SESSION_RUNNING);
+  ASSERT_TRUE(plan_is(msg::PLAN_PROPOSED));
+  ASSERT_TRUE(plan_is(msg::PLAN_ACCEPTED));
+  const auto first = team_plan.newest()->message;
+  EXPECT_EQ(first.session(), "S01");
+  ASSERT_EQ(first.paths().size(), 2U);
+  EXPECT_EQ(first.paths()[0].agent(), site.robot);
+  ASSERT_TRUE(step_until([&] { return team_plan.newest()->message.sequence_number() > first.sequence_number(); }));
+  const auto second = team_plan.newest()->message;
+  EXPECT_EQ(second.id(), first.id());
+  EXPECT_NEAR(static_cast<double>(second.stamp_ns() - first.stamp_ns()), 1e9, 0.15e9);
+}
+
+TEST_F(PlannerServiceTest, MessagesGetReceiptsAndGoalsBecomeSources) {
+  ASSERT_TRUE(step_until([&] { return belief.newest().has_value(); }));
+  tell_session(msg::SESSION_RUNNING);
+  ASSERT_TRUE(plan_is(msg::PLAN_PROPOSED));
+  const auto answered = [&](const std::string& id, bool applied) {
+    bool found = false;
+    return step_until([&] {
+      for (const auto& receipt : receipts.take()) {
+        found |= receipt.message.id() == id && receipt.message.applied() == applied;
+      }
+      return found;
+    });
+  };
+  EXPECT_TRUE(answered(send(msg::HUMAN_MY_GOAL, 9.0, 7.0), true));
+  EXPECT_TRUE(step_until([&] { return sources.newest().has_value(); }));
+  EXPECT_EQ(sources.newest()->message.targets(), std::vector<std::string>{site.agent});
+  EXPECT_TRUE(answered(send(msg::HUMAN_ROBOT_GOAL, 500.0, 7.0), false));  // outside
+  EXPECT_TRUE(answered(send(msg::HUMAN_REPLAN), true));
+  ASSERT_TRUE(step_until([&] {
+    return team_plan.newest()->message.role() == msg::ROLE_PEER_PEER &&
+           team_plan.newest()->message.paths()[1].goal_fixed();
+  }));
+}
+
+TEST_F(PlannerServiceTest, ADetectionEndsThePlanning) {
+  ASSERT_TRUE(step_until([&] { return belief.newest().has_value(); }));
+  tell_session(msg::SESSION_RUNNING);
+  ASSERT_TRUE(plan_is(msg::PLAN_ACCEPTED));
+  msg::ObjectDetection detection;
+  detection.id(bus::new_event_id("camera", others.clock()));
+  detection.robot(site.robot);
+  detection.detected_by(site.robot);
+  detections.send(detection);
+  ASSERT_TRUE(plan_is(msg::PLAN_SUPERSEDED));
+  ASSERT_TRUE(step_until([&] { return status.newest()->message.activity() == msg::PLANNER_FINISHED; }));
+  EXPECT_TRUE(
+      step_until([&] { return detections.outcome(detection.id()).state == bus::EventOutcome::State::Applied; }));
+}
+
+TEST(PlannerProcess, ASecondPlanner) {
+  const test::DomainLease domains{1};
+  const SiteConfig site = site_in(domains[0]);
+  bus::Bus first(bus::host_domain(site, "planner"));
+  auto health = first.writer(topic::kServiceHealth);
+  msg::ServiceHealth alive;
+  alive.host("laptop2");
+  alive.service("planner");
+  alive.robot(site.robot);
+  alive.process_id(77);
+  alive.state(msg::HEALTH_OK);
+  health.write(alive);
+
+  bus::Bus second(bus::host_domain(site, "planner"));
+  EXPECT_EQ(other_planner(site, second, seconds{10}), "planner already active on host laptop2 pid 77");
+}
+
+TEST(PlannerMessages, AMapThatIsNotWholeIsRefused) {
+  EXPECT_TRUE(to_core(map_message()));
+  auto cut = map_message();
+  cut.cells().pop_back();
+  EXPECT_FALSE(to_core(cut));
+  auto flat = map_message();
+  flat.resolution_m(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(to_core(flat));
+}
+
+TEST(PlannerMessages, APlanKeepsItsTimesAndPlaces) {
+  MissionPlan plan;
+  plan.id = "p1";
+  plan.start = from_stamp_ns(1'000);
+  plan.role = Role::PeerPeer;
+  plan.members.push_back({"robot1", TimedPath{{{0.0, {1, 2}}, {2.0, {2, 2}}}}, {2, 2}, true});
+  const auto message =
+      to_message(plan, PlanStanding::Accepted, {"robot1", "S01", "laptop1/1", 5, from_stamp_ns(2'000)});
+
+  EXPECT_EQ(message.state(), msg::PLAN_ACCEPTED);
+  EXPECT_EQ(message.role(), msg::ROLE_PEER_PEER);
+  ASSERT_EQ(message.paths().size(), 1U);
+  EXPECT_EQ(message.paths()[0].points()[1].stamp_ns(), 2'000'001'000);
+  EXPECT_EQ(message.paths()[0].points()[1].x_m(), 2.0);
+  EXPECT_TRUE(message.paths()[0].goal_fixed());
+}
+
+}  // namespace
+}  // namespace tandem
