@@ -44,6 +44,9 @@ std::vector<std::string> PhoneApp::receive(const std::string& text, Time now) {
     show(*plan);
   } else if (const auto* ack = std::get_if<protocol::Ack>(message)) {
     while (!outbox_.empty() && outbox_.front().command.sequence <= ack->up_to) outbox_.pop_front();
+    for (const auto& result : ack->results) {
+      if (result.sequence == last_replan_) view_.replan_refused = result.outcome == "refused";
+    }
   }
   return answers;
 }
@@ -68,6 +71,10 @@ std::vector<std::string> PhoneApp::press(const PhoneMessage& message, Time now) 
     kept.command.point_in_map = protocol::Point{message.point_in_map->x(), message.point_in_map->y()};
   }
   kept.command.heading = message.heading;
+  if (message.press == PhonePress::Replan) {
+    last_replan_ = last_sequence_;
+    view_.replan_refused = false;
+  }
   outbox_.push_back(kept);
   if (!view_.connected) return {};
   return {text_of(kept, now)};

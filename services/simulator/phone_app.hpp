@@ -40,6 +40,7 @@ class PhoneApp {
   std::string client_;
   std::string agent_;
   std::uint64_t last_sequence_ = 0;
+  std::uint64_t last_replan_ = 0;  ///< its sequence number
   std::deque<Kept> outbox_;
   std::optional<Time> last_seen_;
   Simulation::PhoneView view_;

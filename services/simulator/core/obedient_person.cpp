@@ -68,8 +68,10 @@ void ObedientPerson::ask_for_plan(const PhoneUserInput& input, PhoneUserDecision
     idle_since_ = input.now;
     return;
   }
-  const bool waited = input.now - idle_since_ >= from_seconds(habits_.patience_s) &&
-                      input.now - last_replan_ >= from_seconds(habits_.replan_interval_s);
+  const Duration since_replan = input.now - last_replan_;
+  const bool waited = (input.now - idle_since_ >= from_seconds(habits_.patience_s) &&
+                       since_replan >= from_seconds(habits_.replan_interval_s)) ||
+                      (input.replan_refused && since_replan >= from_seconds(habits_.retry_s));
   if (!waited || input.computing) return;
   decision.messages.push_back({PhonePress::Replan, std::nullopt, std::nullopt});
   last_replan_ = input.now;

@@ -13,6 +13,7 @@ struct ObedientHabits {
   double detection_rate_per_s = 0.5;  ///< Of a token that can be seen.
   double patience_s = 4.0;            ///< Stands so long without a plan before pressing *Replan*.
   double replan_interval_s = 15.0;    ///< Never presses *Replan* more often than this.
+  double retry_s = 3.0;               ///< After a *Replan* that was refused.
 };
 
 /// Does as the plan says, after a moment; says where they are; asks for a plan when there is nothing to do.

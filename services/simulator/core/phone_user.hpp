@@ -26,8 +26,9 @@ struct PhoneUserInput {
   Pose2 map_from_person = {};
   bool walking = false;  ///< Still under way on the route last taken.
   bool connected = false;
-  bool computing = false;    ///< The phone shows that a plan is being computed.
-  bool search_over = false;  ///< The phone shows that it was found, or time is up.
+  bool computing = false;       ///< The phone shows that a plan is being computed.
+  bool search_over = false;     ///< The phone shows that it was found, or time is up.
+  bool replan_refused = false;  ///< The phone shows that the last *Replan* came to nothing.
   std::optional<PhonePlan> plan = {};
   std::optional<Eigen::Vector2d> visible_token_in_map = {};  ///< In line of sight and near enough to be seen.
 };

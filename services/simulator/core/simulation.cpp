@@ -78,6 +78,7 @@ std::vector<PhoneMessage> Simulation::step_person(const PhoneView& view, double 
   input.connected = view.connected;
   input.computing = view.computing;
   input.search_over = view.search_over;
+  input.replan_refused = view.replan_refused;
   input.plan = view.plan;
   input.visible_token_in_map = token_in_sight();
   auto decision = person_->step(input, person_rng_);

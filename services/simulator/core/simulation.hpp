@@ -50,6 +50,7 @@ class Simulation {
     bool connected = false;
     bool computing = false;
     bool search_over = false;
+    bool replan_refused = false;
     std::optional<PhonePlan> plan = {};
   };
   [[nodiscard]] std::vector<PhoneMessage> step_person(const PhoneView& view, double dt_s, Time now);

@@ -87,6 +87,17 @@ TEST(PhoneApp, ShowsThatAPlanIsComputedAndThatTheSearchIsOver) {
   EXPECT_TRUE(app.view().search_over);
 }
 
+TEST(PhoneApp, ShowsThatTheLastReplanWasRefusedUntilTheNext) {
+  PhoneApp app{"simulated-phone-1", "person1"};
+  (void)app.receive(hello(), Time{});
+  (void)app.press({PhonePress::Replan, {}, {}}, Time{});
+  const protocol::Ack refusal{.client = "simulated-phone-1", .up_to = 1, .results = {{1, "refused", "not begun"}}};
+  (void)app.receive(protocol::write(protocol::ServerMessage{refusal}), Time{});
+  EXPECT_TRUE(app.view().replan_refused);
+  (void)app.press({PhonePress::Replan, {}, {}}, Time{});
+  EXPECT_FALSE(app.view().replan_refused);
+}
+
 TEST(PhoneApp, CountsWhatIsNoMessage) {
   PhoneApp app{"simulated-phone-1", "person1"};
   EXPECT_TRUE(app.receive("{\"type\":", Time{}).empty());

@@ -104,6 +104,13 @@ TEST(ObedientPerson, AsksForAPlanWhenTheLastIsWalkedAndNoneCame) {
   EXPECT_EQ(person.times_of(PhonePress::Replan).size(), 2U);  // not again at once
 }
 
+TEST(ObedientPerson, AsksAgainSoonWhenTheReplanWasRefused) {
+  Person person;
+  person.input.replan_refused = true;  // the search has not begun
+  person.run(10.0);
+  EXPECT_EQ(person.times_of(PhonePress::Replan).size(), 4U);  // at 0, 3, 6 and 9 s
+}
+
 TEST(ObedientPerson, DoesNotAskWhileAPlanIsBeingComputed) {
   Person person;
   person.input.computing = true;
