@@ -103,6 +103,25 @@ async function onPage(page, x, y) {
   return { x: box.x + box.width / 2 + c * dx - s * dy, y: box.y + box.height / 2 - (s * dx + c * dy) };
 }
 
+/** A place where a person can stand, near where the team believes the person or the robot is, and not under a button. */
+async function placeForAPerson(page) {
+  const canvas = page.locator("canvas.map-canvas");
+  const told = (await canvas.getAttribute("data-person")) ?? (await canvas.getAttribute("data-robot"));
+  const [x, y] = told.split(" ").map(Number);
+  for (const [dx, dy] of [[0, -0.5], [0, 0.8], [1, 0], [-1, 0], [2, 1], [2, -1], [-2, 0], [0, 2], [0, 3]]) {
+    const { x: left, y: top } = await onPage(page, x + dx, y + dy);
+    const free = await page.evaluate(
+      ([px, py]) =>  // a finger is wide: a button near it would take the touch
+        [[0, 0], [30, 0], [-30, 0], [0, 30], [0, -30]].every(
+          ([ax, ay]) => document.elementFromPoint(px + ax, py + ay)?.className === "map-canvas",
+        ),
+      [left, top],
+    );
+    if (free) return { x: x + dx, y: y + dy };
+  }
+  throw new Error("no place near the team can be touched");
+}
+
 /** How many pixels of the map have this colour, within a tolerance. */
 async function pixelsOf(page, [red, green, blue]) {
   return page.locator("canvas.map-canvas").evaluate(
@@ -159,8 +178,7 @@ async function run() {
     );
     check("nothing covers STOP", onTop === "stop");
 
-    // A place a person can stand: given, or a step beside where the team believes the person or robot is.
-    const at = { x: 5, y: 3 };
+    const at = await placeForAPerson(page);
     const tap = await onPage(page, at.x, at.y);
     await page.touchscreen.tap(tap.x, tap.y);
     if (options["link-file"] === undefined) {
@@ -199,6 +217,9 @@ async function run() {
     check("holding the bar lets it go on", true);
 
     check(`the page complains about nothing: ${complaints.join("; ")}`, complaints.length === 0);
+  } catch (error) {
+    for (const page of browser.contexts().flatMap((context) => context.pages())) await picture(page, "failed");
+    throw error;
   } finally {
     await browser.close();
   }

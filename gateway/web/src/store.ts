@@ -1,12 +1,12 @@
 import { computed, signal } from "@preact/signals";
-import { fitted } from "./model/map_view";
+import { fitted, panned } from "./model/map_view";
 import type { MapView } from "./model/map_view";
 import { Outbox, type PlaceKind, type Wish } from "./model/outbox";
 import { Connection, type LinkPhase } from "./net/connection";
 import type { BeliefGrid } from "./protocol/belief";
 import type { Ack, GatewayMessage, Hello, MapMessage, Plan, State, StoredCommand } from "./protocol/parse";
 import { type Language, languageFor, textsOf } from "./texts";
-import { type PointInMap, pixels, pointInMap } from "./units";
+import { type PointInMap, pixels, pointInMap, pointOnScreen } from "./units";
 
 /** Milliseconds that go on over a reload and do not follow a step of the wall clock while the page is open. */
 export const now = (): number => performance.timeOrigin + performance.now();
@@ -198,11 +198,15 @@ export function resume(heldMs: number): void {
   ask({ kind: "resume", heldMs });
 }
 
-/** Shows the whole map in a canvas of the given size. */
+/** Height of the row of buttons along the lower edge of the map. */
+const kButtonBand = 76;
+
+/** Shows the whole map in a canvas of the given size, above the row of buttons. */
 export function showEverything(width: number, height: number): void {
   const one = map.value;
-  if (one === undefined) return;
-  const right = one.x + one.width * one.resolution_m;
-  const top = one.y + one.height * one.resolution_m;
-  view.value = fitted(pointInMap(one.x, one.y), pointInMap(right, top), pixels(width), pixels(height));
+  if (one === undefined || height <= kButtonBand) return;
+  const low = pointInMap(one.x, one.y);
+  const high = pointInMap(one.x + one.width * one.resolution_m, one.y + one.height * one.resolution_m);
+  const fit = fitted(low, high, pixels(width), pixels(height - kButtonBand));
+  view.value = panned({ ...fit, height: pixels(height) }, pointOnScreen(0, 0), pointOnScreen(0, -kButtonBand / 2));
 }

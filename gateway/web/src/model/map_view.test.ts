@@ -42,4 +42,11 @@ describe("a map view", () => {
     expect(toScreen(all, pointInMap(0, 0)).x).toBeGreaterThanOrEqual(0);
     expect(toScreen(all, pointInMap(20, 10)).x).toBeLessThanOrEqual(400);
   });
+  it("lays a wide map along a tall screen", () => {
+    const wide = fitted(pointInMap(0, 0), pointInMap(40, 10), pixels(400), pixels(600));
+    expect(wide.turn).toBeCloseTo(Math.PI / 2);
+    expect(wide.pixelsPerMetre).toBeCloseTo(14.1); // 600 px / 40 m, less the margin
+    const square = fitted(pointInMap(0, 0), pointInMap(10, 10), pixels(400), pixels(600));
+    expect(square.turn).toBe(0);
+  });
 });

@@ -49,13 +49,20 @@ export function pinched(view: MapView, fixed: PointOnScreen, factor: number, tur
   };
 }
 
-/** The view that shows the rectangle from `low` to `high`, with a margin, not turned. */
+/** A quarter turn must show the map this much larger to be worth reading it sideways. */
+const kWorthTurning = 1.3;
+
+/** The view that shows the rectangle from `low` to `high`, with a margin; turned a quarter if it is much larger so. */
 export function fitted(low: PointInMap, high: PointInMap, width: Pixels, height: Pixels): MapView {
-  const scale = 0.94 * Math.min(width / Math.max(1, high.x - low.x), height / Math.max(1, high.y - low.y));
+  const along = Math.max(1, high.x - low.x);
+  const across = Math.max(1, high.y - low.y);
+  const upright = Math.min(width / along, height / across);
+  const turned = Math.min(width / across, height / along);
+  const turn = turned > kWorthTurning * upright;
   return {
     centre: pointInMap((low.x + high.x) / 2, (low.y + high.y) / 2),
-    pixelsPerMetre: Math.min(kMaxScale, Math.max(kMinScale, scale)),
-    turn: radians(0),
+    pixelsPerMetre: Math.min(kMaxScale, Math.max(kMinScale, 0.94 * (turn ? turned : upright))),
+    turn: radians(turn ? Math.PI / 2 : 0),
     width,
     height,
   };

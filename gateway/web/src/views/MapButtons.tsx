@@ -10,17 +10,20 @@ function turnUpright(): void {
   if (store.view.value !== undefined) store.view.value = { ...store.view.value, turn: radians(0) };
 }
 
-/** Down the right edge of the map, in reach of a thumb. */
+/** A row along the lower edge of the map, in reach of a thumb and off the map that fits above it. */
 export function MapButtons() {
   const texts = store.t.value;
+  const needle = (-180 / Math.PI) * (store.view.value?.turn ?? 0);
   const turned = store.view.value !== undefined && Math.abs(store.view.value.turn) > 0.01;
   return (
     <div class="map-buttons">
       {turned && (
         <button type="button" aria-label={texts.north} onClick={turnUpright}>
           <svg viewBox="0 0 24 24" aria-hidden="true">
-            <path d="M12 2l5 11H7z" class="ink-red" />
-            <path d="M12 22l-5-9h10z" />
+            <g transform={`rotate(${needle} 12 12)`}>
+              <path d="M12 0l5 12H7z" class="ink-red" />
+              <path d="M12 24l-5-12h10z" />
+            </g>
           </svg>
         </button>
       )}

@@ -60,8 +60,11 @@ function attach(canvas: HTMLCanvasElement): () => void {
       },
       Math.min(kMaxRatio, devicePixelRatio),
     );
-    // For tests and screen readers' tools: where the map lies.
+    // For the browser test: where the map and the team lie.
     canvas.dataset["view"] = [view.centre.x, view.centre.y, view.pixelsPerMetre, view.turn].join(" ");
+    const { robot, person } = store.state.value ?? {};
+    if (robot !== undefined) canvas.dataset["robot"] = `${robot.x} ${robot.y}`;
+    if (person !== undefined) canvas.dataset["person"] = `${person.x} ${person.y}`;
   };
   const stopDrawing = effect(() => {
     void [store.view.value, store.map.value, store.belief.value, store.showBelief.value, store.state.value];

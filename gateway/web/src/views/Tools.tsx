@@ -41,7 +41,7 @@ function Icon(props: { kind: PlaceKind }) {
     default:
       return (
         <svg viewBox="0 0 24 24" aria-hidden="true">
-          <path d="M12 2l3 7 7 .6-5.3 4.7L18.3 22 12 18l-6.300 4 1.600-7.700L2 9.600 9 9z" class="ink-found" />
+          <path d="M12 2l3 7 7 .6-5.3 4.7L18.3 22 12 18l-6.3 4 1.6-7.7L2 9.6 9 9z" class="ink-found" />
         </svg>
       );
   }
@@ -72,7 +72,7 @@ function wantsRobotPose(): boolean {
 /** In reach of the thumb: what a tap on the map means, and Replan. */
 export function Tools() {
   const texts = store.t.value;
-  if (store.hello.value?.role === "observer") return store.isStopped.value ? <nav class="tools" /> : null;
+  if (store.hello.value?.role === "observer") return null;
   const computing = store.state.value?.planner.activity === "computing" ? store.state.value.planner : undefined;
   const seconds = (computing?.computing_s ?? 0) + store.dataAgeMs.value / 1000;
   return (

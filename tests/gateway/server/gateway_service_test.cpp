@@ -1,0 +1,199 @@
+#include "gateway/server/gateway_service.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <thread>
+
+#include "gateway/net/websocket_client.hpp"
+#include "services/common/file_io.hpp"
+#include "tests/support/domain_lease.hpp"
+
+namespace tandem::gateway {
+namespace {
+
+using net::WebSocketClient;
+using protocol::CommandKind;
+
+/// The whole gateway on a bus of its own, with one phone and the services that answer it, in one thread.
+class GatewayServiceTest : public testing::Test {
+ protected:
+  GatewayServiceTest()
+      : folder_(std::filesystem::temp_directory_path() / ("tandem_gateway_" + net::random_hex(6))),
+        bus_(options(domains_[0])),
+        stops_(bus_, topic::kStopRequest, "base"),
+        to_planner_(bus_, topic::kHumanMessage, "planner"),
+        to_tracker_(bus_, topic::kHumanMessage, "tracker") {
+    GatewayConfig config;
+    config.address = "127.0.0.1";
+    config.port = 0;
+    config.link_host = "127.0.0.1";
+    config.state_folder = folder_;
+    config.participant_link_file = folder_ / "participant";
+    config.observer_link_file = folder_ / "observer";
+    SiteConfig site;
+    site.host = "laptop1";
+    site.role = "laptop";
+    gateway_.emplace(config, site, bus_, clock_, clock_);
+  }
+  ~GatewayServiceTest() override {
+    gateway_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+
+  static bus::DomainOptions options(int domain) {
+    bus::DomainOptions options;
+    options.domain = domain;
+    options.participant = "gateway-test";
+    return options;
+  }
+
+  WebSocketClient::Options patient() const {
+    WebSocketClient::Options options;
+    options.retry = std::chrono::seconds{60};
+    return options;
+  }
+  net::PairingLink link(const char* slot) const { return *net::parse_pairing_link(read_file(folder_ / slot)); }
+
+  /// Lets everybody work until `condition` holds, 10 s at most.
+  bool eventually(const std::function<bool()>& condition) {
+    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{10};
+         std::chrono::steady_clock::now() < end;) {
+      gateway_->step();
+      for (const auto& stop : stops_.take()) {
+        stop_requests_.push_back(stop);
+        stops_.applied(stop.id());
+      }
+      for (const auto& message : to_planner_.take()) {
+        human_messages_.push_back(message);
+        to_planner_.applied(message.id());
+      }
+      for (const auto& message : to_tracker_.take()) to_tracker_.applied(message.id());
+      if (condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds{2});
+    }
+    return false;
+  }
+
+  /// Collects what `phone` gets until a message satisfies `wanted`.
+  template <typename Message>
+  std::optional<Message> hear(WebSocketClient& phone, const std::function<bool(const Message&)>& wanted) {
+    std::optional<Message> found;
+    eventually([&] {
+      for (const auto& text : phone.take()) {
+        const auto parsed = protocol::parse_server_message(text);
+        const auto* message = std::get_if<protocol::ServerMessage>(&parsed);
+        if (message == nullptr) {
+          ADD_FAILURE() << "the gateway sent " << text;
+          continue;
+        }
+        const auto* one = std::get_if<Message>(message);
+        if (one != nullptr && wanted(*one)) found = *one;
+      }
+      return found.has_value();
+    });
+    return found;
+  }
+
+  static std::string command(std::uint64_t sequence, CommandKind kind, std::optional<protocol::Point> at = {}) {
+    protocol::Command one;
+    one.client = "phone-0001";
+    one.sequence = sequence;
+    one.kind = kind;
+    one.point_in_map = at;
+    return protocol::write(protocol::ClientMessage{one});
+  }
+
+  test::DomainLease domains_{1};
+  std::filesystem::path folder_;
+  bus::Bus bus_;
+  SteadyClock clock_;
+  bus::EventReceiver<msg::StopRequest, msg::StopRequestPubSubType> stops_;
+  bus::EventReceiver<msg::HumanMessage, msg::HumanMessagePubSubType> to_planner_;
+  bus::EventReceiver<msg::HumanMessage, msg::HumanMessagePubSubType> to_tracker_;
+  std::vector<msg::StopRequest> stop_requests_;
+  std::vector<msg::HumanMessage> human_messages_;
+  std::optional<GatewayService> gateway_;
+};
+
+TEST_F(GatewayServiceTest, CarriesAPoseToTheTeamAndTheirReceiptBack) {
+  WebSocketClient phone{link("participant"), patient()};
+  const auto hello = hear<protocol::Hello>(phone, [](const auto&) { return true; });
+  ASSERT_TRUE(hello);
+  EXPECT_EQ(hello->role, protocol::UserRole::Participant);
+
+  ASSERT_TRUE(phone.send(command(1, CommandKind::MyPose, protocol::Point{3.0, 4.0})));
+  const auto applied = hear<protocol::Ack>(phone, [](const auto& ack) { return !ack.results.empty(); });
+  ASSERT_TRUE(applied);
+  EXPECT_EQ(applied->up_to, 1u);
+  EXPECT_EQ(applied->results[0], (protocol::Result{1, "applied", ""}));
+  ASSERT_EQ(human_messages_.size(), 1u);
+  EXPECT_EQ(human_messages_[0].kind(), msg::HUMAN_MY_POSE);
+  EXPECT_DOUBLE_EQ(human_messages_[0].point_in_map().x(), 3.0);
+  EXPECT_EQ(human_messages_[0].agent(), "person1");
+}
+
+TEST_F(GatewayServiceTest, AppliesACommandThatComesTwiceOnce) {
+  WebSocketClient phone{link("participant"), patient()};
+  ASSERT_TRUE(hear<protocol::Hello>(phone, [](const auto&) { return true; }));
+  ASSERT_TRUE(phone.send(command(1, CommandKind::Replan)));
+  ASSERT_TRUE(phone.send(command(1, CommandKind::Replan)));
+  ASSERT_TRUE(phone.send(command(2, CommandKind::Stop)));
+  ASSERT_TRUE(hear<protocol::Ack>(phone, [](const auto& ack) { return ack.up_to == 2 && !ack.results.empty(); }));
+  EXPECT_TRUE(eventually([&] { return stop_requests_.size() == 1 && human_messages_.size() == 1; }));
+  EXPECT_EQ(stop_requests_[0].who(), "phone:person1");
+  EXPECT_TRUE(stop_requests_[0].latched());
+}
+
+TEST_F(GatewayServiceTest, AnObserverIsToldWhyItMayNotAndMayStop) {
+  WebSocketClient phone{link("observer"), patient()};
+  ASSERT_TRUE(hear<protocol::Hello>(phone, [](const auto&) { return true; }));
+  ASSERT_TRUE(phone.send(command(1, CommandKind::Replan)));
+  const auto refused = hear<protocol::Ack>(phone, [](const auto& ack) { return !ack.results.empty(); });
+  ASSERT_TRUE(refused);
+  EXPECT_EQ(refused->results[0].outcome, "refused");
+  ASSERT_TRUE(phone.send(command(2, CommandKind::Stop)));
+  EXPECT_TRUE(eventually([&] { return stop_requests_.size() == 1; }));
+  EXPECT_TRUE(human_messages_.empty());
+}
+
+TEST_F(GatewayServiceTest, ManyStopsAtOnceAllArrive) {
+  WebSocketClient phone{link("participant"), patient()};
+  ASSERT_TRUE(hear<protocol::Hello>(phone, [](const auto&) { return true; }));
+  for (std::uint64_t i = 1; i <= 60; ++i) ASSERT_TRUE(phone.send(command(i, CommandKind::Replan)));
+  for (std::uint64_t i = 61; i <= 70; ++i) ASSERT_TRUE(phone.send(command(i, CommandKind::Stop)));
+  EXPECT_TRUE(eventually([&] { return stop_requests_.size() == 10; }));
+  EXPECT_LT(human_messages_.size(), 60u);  // 40 at once, then 20 a second
+}
+
+TEST_F(GatewayServiceTest, MalformedWebSocketJsonIsAnsweredAndTheThirdTimeClosed) {
+  WebSocketClient phone{link("participant"), patient()};
+  ASSERT_TRUE(hear<protocol::Hello>(phone, [](const auto&) { return true; }));
+  ASSERT_TRUE(phone.send("{\"type\":\"cmd\""));
+  const auto error = hear<protocol::Event>(phone, [](const auto& event) { return event.kind == "error"; });
+  ASSERT_TRUE(error);
+  EXPECT_NE(error->text.find("not JSON at character"), std::string::npos) << error->text;
+  ASSERT_TRUE(phone.send(std::string(5000, '[')));
+  ASSERT_TRUE(phone.send("\xff\xfe"));  // not UTF-8: the socket itself refuses it
+  EXPECT_TRUE(eventually([&] { return phone.state() != WebSocketClient::State::Connected; }));
+
+  WebSocketClient other{link("observer"), patient()};
+  ASSERT_TRUE(hear<protocol::Hello>(other, [](const auto&) { return true; }));
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(other.send("{}"));
+  EXPECT_TRUE(eventually([&] { return other.reason().rfind("closed: 4002", 0) == 0; })) << other.reason();
+}
+
+TEST_F(GatewayServiceTest, NobodyElseIsInvitedWhileThePhoneIsHere) {
+  WebSocketClient first{link("participant"), patient()};
+  ASSERT_TRUE(hear<protocol::Hello>(first, [](const auto&) { return true; }));
+  const std::string used = read_file(folder_ / "participant");
+  EXPECT_TRUE(eventually([] { return true; }));
+  EXPECT_EQ(read_file(folder_ / "participant"), used);
+  const auto rights = std::filesystem::status(folder_ / "participant").permissions();
+  EXPECT_EQ(rights, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+}
+
+}  // namespace
+}  // namespace tandem::gateway
