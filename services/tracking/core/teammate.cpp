@@ -70,6 +70,8 @@ void Teammate::look_for_track(Time time, const PeopleTracker& people) {
   const Track* candidate = nullptr;
   for (const Track& track : people.tracks()) {
     if (!track.person || (track.motion.position() - expected->map_from_agent.position()).norm() > reach) continue;
+    // Whoever was followed already while the teammate was seen or heard of is somebody else.
+    if (evidence_->by_laser && track.first_seen < evidence_->stamp) continue;
     if (candidate != nullptr) return;  // two could be the one
     candidate = &track;
   }

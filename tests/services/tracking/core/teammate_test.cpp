@@ -124,6 +124,20 @@ TEST(Teammate, IsNotTakenForOneOfTwoStrangers) {
   EXPECT_FALSE(scene.teammate.track_id());
 }
 
+TEST(Teammate, IsNotTakenForAPasserByWhoWasThereAllAlong) {
+  Scene scene;
+  const auto both = [](double time_s) {
+    Places places = {{0.0, 6.0 - 0.8 * time_s}};     // walks past
+    if (time_s < 4.0) places.push_back({1.5, 1.0});  // stands, then steps behind a wall
+    return places;
+  };
+  scene.run(1.0, both);
+  scene.teammate.hear({at(1.0), {1.5, 1.0}, {}}, scene.tracker);
+  scene.run(7.0, both);
+  EXPECT_FALSE(scene.teammate.track_id());
+  EXPECT_NEAR(scene.now().map_from_agent.y, 1.0, 0.1);
+}
+
 TEST(Teammate, IsThoughtToWalkAsThePlanSays) {
   Scene scene;
   scene.run(1.0, nobody);
