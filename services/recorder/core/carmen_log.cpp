@@ -16,6 +16,9 @@ namespace {
 constexpr std::array<std::string_view, 8> kIgnored{"PARAM", "NEFF",   "SYNC",   "TRUEPOS",
                                                    "SONAR", "BUMPER", "RLASER", "MARKER"};
 
+/// Recorders wrote lines up to some tenths of a second out of order [s]; an odometry further back has no real time.
+constexpr double kLongestStepBack_s = 2.0;
+
 /// The words of one line.
 class Words {
  public:
@@ -128,6 +131,8 @@ class LogParser {
     mapped_.reset();
   }
   void add(const Odometry& odometry) {
+    newest_s_ = std::max(newest_s_, odometry.time_s);
+    if (odometry.time_s < newest_s_ - kLongestStepBack_s) return;
     events_.emplace_back(odometry);
     odometry_time_s_ = odometry.time_s;
   }
@@ -139,6 +144,7 @@ class LogParser {
   }
 
   std::vector<Event> events_;
+  double newest_s_ = -std::numeric_limits<double>::infinity();
   std::optional<double> odometry_time_s_;  ///< of the last odometry
   bool has_scans_ = false;
   Pose2 raw_;                    ///< CARMEN: the chain so far

@@ -39,6 +39,9 @@ using Event = std::variant<Odometry, Scan>;
 ///    motions between ODOM lines.
 ///  - `O t x y theta` and `S t x y theta n r1..rn`: raw odometry already.
 ///
+/// An odometry more than 2 s older than what stands before it is left out: some logs have such lines, whose time was
+/// never set, where the odometry was re-based.
+///
 /// Beams: 180 or 181 one degree apart, 360 or 361 half a degree, from -90 degrees. Throws LogError, with `file_name`
 /// and the line, for a line that is not one of these, and for a log without scans.
 [[nodiscard]] std::vector<Event> parse_log(std::string_view text, const std::string& file_name);

@@ -58,6 +58,12 @@ TEST(CarmenLog, BeforeEachScanStandsAnOdometryOfItsTime) {
   EXPECT_EQ(std::get<Scan>(events[4]).time_s, 3.0);
 }
 
+TEST(CarmenLog, AnOdometryWhoseTimeWasNeverSetIsLeftOut) {
+  const auto events = parse_log("O 100 0 0 0\nS 100 0 0 0 " + ranges(180) + "\nO 0.71 0 0 0\nO 99.5 1 0 0\n", "b");
+  ASSERT_EQ(events.size(), 3U);
+  EXPECT_EQ(std::get<Odometry>(events[2]).time_s, 99.5);  // half a second out of order is how logs are
+}
+
 TEST(CarmenLog, TheFieldOfViewIsAHalfCircleFromTheRight) {
   for (const auto& [beams, step_deg] : {std::pair{180, 1.0}, {181, 1.0}, {360, 0.5}, {361, 0.5}}) {
     const auto events = parse_log("S 0 0 0 0 " + ranges(beams), "b");
