@@ -5,6 +5,7 @@
 #include "services/cli/command.hpp"
 #include "services/cli/import_command.hpp"
 #include "services/cli/info_command.hpp"
+#include "services/cli/localize_command.hpp"
 #include "services/cli/record_command.hpp"
 #include "services/cli/replay_command.hpp"
 #include "services/cli/topics_command.hpp"
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
   add_replay_command(app);
   add_info_command(app);
   add_import_command(app);
+  add_localize_command(app);
   add_topics_command(app);
 
   try {

@@ -10,12 +10,14 @@
 namespace tandem {
 namespace {
 
-constexpr double kFieldReachM = 2.0;     ///< Distances beyond this say nothing about where a wall is.
-constexpr std::size_t kMinReturns = 20;  ///< Fewer beams do not tell one place from another.
-constexpr double kClearlyBetter = 0.05;  ///< Gain of agreement for which a searched pose is taken.
-constexpr double kSearchedShare = 0.5;   ///< Share of the particles put at a searched pose.
-constexpr double kSoughtShare = 0.1;     ///< Share of the particles thrown over the whole map while lost.
-constexpr double kOneHypothesis = 0.9;   ///< Weight of a group that leaves no doubt.
+constexpr double kFieldReachM = 2.0;       ///< Distances beyond this say nothing about where a wall is.
+constexpr std::size_t kMinReturns = 20;    ///< Fewer beams do not tell one place from another.
+constexpr double kClearlyBetter = 0.05;    ///< Gain of agreement for which a searched pose is taken.
+constexpr double kSearchedShare = 0.5;     ///< Share of the particles put at a searched pose.
+constexpr double kSoughtShare = 0.1;       ///< Share of the particles thrown over the whole map while lost.
+constexpr double kHintDeviationRad = 0.3;  ///< How well a person tells a heading.
+constexpr double kAnyHeadingRad = 4.0;     ///< Wrapped, as good as uniform.
+constexpr double kOneHypothesis = 0.9;     ///< Weight of a group that leaves no doubt.
 
 MotionNoise noise_of(const LocalizationConfig& config) {
   return {config.forward_per_m, config.sideways_per_m, config.turn_per_rad,
@@ -47,29 +49,34 @@ void Localizer::add_odometry(const OdometrySample& sample) {
 }
 
 void Localizer::add_hint(const PoseHint& hint) {
-  // Between the hint and now the robot has moved on.
-  Pose2 map_from_base = hint.map_from_base;
-  const auto then = odometry_.at(hint.time);
+  hint_ = hint;
+}
+
+void Localizer::apply_hint() {
+  if (!hint_) return;
+  // Between the hint and the last scan the robot has moved on.
+  Pose2 map_from_base = hint_->map_from_base;
+  const auto then = odometry_.at(hint_->time);
   if (then && last_ && then->epoch == last_->epoch) {
     map_from_base = map_from_base * (inverse(then->odom_from_base) * last_->odom_from_base);
   }
-  const double deviation_rad = hint.heading_known ? 0.3 : 4.0;  // 4 rad wrapped: any heading
-  particles_ = particles_around(map_from_base, hint.standard_deviation_m, deviation_rad,
+  const double deviation_rad = hint_->heading_known ? kHintDeviationRad : kAnyHeadingRad;
+  particles_ = particles_around(map_from_base, hint_->standard_deviation_m, deviation_rad,
                                 static_cast<std::size_t>(config_.particles_max), rng_);
   last_fit_.reset();
   monitor_.reset();
+  hint_.reset();
 }
 
 void Localizer::start_at(const OdometrySample& odometry) {
-  if (!last_) last_ = odometry;
   if (is_started()) return;
+  last_ = odometry;
   if (config_.start.size() == 3) {
     particles_ = particles_around({config_.start[0], config_.start[1], config_.start[2]}, config_.start_deviation_m,
                                   config_.start_deviation_m, static_cast<std::size_t>(config_.particles_max), rng_);
   } else if (config_.start_globally) {
     particles_ = particles_everywhere(map_, static_cast<std::size_t>(config_.particles_global), rng_);
   }
-  last_ = odometry;
 }
 
 void Localizer::predict(const OdometrySample& odometry) {
@@ -135,6 +142,7 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   const auto odometry = odometry_.at(scan.time);
   if (!odometry) return std::nullopt;
   start_at(*odometry);
+  apply_hint();
   if (thinned_out || !is_started()) return std::nullopt;
   endpoints_ = selected_endpoints(scan, static_cast<std::size_t>(config_.refine_beams), config_.range_limit_m,
                                   odometry->velocity);

@@ -56,7 +56,7 @@ class Localizer {
   /// The pose at the scan's time. None while there is no start pose, without odometry at that time, for a scan that is
   /// thinned out, and for one with too few returns.
   [[nodiscard]] std::optional<LocalizationResult> add_scan(const LaserScan& scan);
-  /// The robot is about there: particles gather around it, the next scan decides.
+  /// The robot is about there: at the next scan particles gather around it, and that scan decides.
   void add_hint(const PoseHint& hint);
 
   /// Does it follow a pose, right or wrong?
@@ -70,6 +70,7 @@ class Localizer {
   };
 
   void start_at(const OdometrySample& odometry);
+  void apply_hint();
   void predict(const OdometrySample& odometry);
   [[nodiscard]] Fit fit_at(const Pose2& map_from_base) const;
   [[nodiscard]] Fit corrected(Fit fit, Time time);
@@ -91,6 +92,7 @@ class Localizer {
   std::optional<OdometrySample> last_;  ///< where the wheels were when the particles were last moved
   std::optional<Fit> last_fit_;         ///< the pose then
   Time distrust_until_{Duration::min()};
+  std::optional<PoseHint> hint_;  ///< not yet applied
   std::int64_t scan_count_ = 0;
   std::vector<Eigen::Vector2d> endpoints_;      ///< of the scan at hand, in the base frame
   std::vector<Eigen::Vector2d> few_endpoints_;  ///< those that weigh the particles

@@ -1,6 +1,5 @@
 #include "services/mapping/core/map_file.hpp"
 
-#include <openssl/sha.h>
 #include <yaml-cpp/yaml.h>
 
 #include <array>
@@ -12,6 +11,7 @@
 
 #include "services/common/file_io.hpp"
 #include "services/mapping/core/map_image.hpp"
+#include "services/mapping/core/sha256.hpp"
 
 namespace tandem {
 namespace {
@@ -165,15 +165,7 @@ std::string map_id_of(const std::filesystem::path& yaml_file) {
 }
 
 std::string sha256_of_cells(const OccupancyGrid& grid) {
-  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest{};
-  SHA256(reinterpret_cast<const unsigned char*>(grid.cells().data()), grid.cells().size(), digest.data());
-  constexpr const char* kHex = "0123456789abcdef";
-  std::string hex;
-  for (const unsigned char byte : digest) {
-    hex += kHex[byte >> 4];
-    hex += kHex[byte & 15];
-  }
-  return hex;
+  return sha256_hex({reinterpret_cast<const char*>(grid.cells().data()), grid.cells().size()});
 }
 
 }  // namespace tandem

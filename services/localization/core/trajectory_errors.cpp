@@ -1,0 +1,114 @@
+#include "services/localization/core/trajectory_errors.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "services/localization/core/number_lines.hpp"
+
+namespace tandem {
+namespace {
+
+constexpr double kLostM = 1.0;
+constexpr double kWrongM = 0.5;
+constexpr double kWrongDeg = 10.0;
+
+bool is_within(const TimeWindows& windows, double time_s) {
+  return std::any_of(windows.begin(), windows.end(),
+                     [time_s](const auto& window) { return time_s >= window.first && time_s <= window.second; });
+}
+
+double root_of_mean(double sum, std::size_t count) {
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
+
+}  // namespace
+
+std::optional<Pose2> pose_at(std::span<const TimedPose> poses, Time time) {
+  const auto after = std::lower_bound(poses.begin(), poses.end(), time,
+                                      [](const TimedPose& pose, Time wanted) { return pose.time < wanted; });
+  if (after == poses.end()) return std::nullopt;
+  if (after->time == time) return after->map_from_base;
+  if (after == poses.begin()) return std::nullopt;
+  const TimedPose& before = *std::prev(after);
+  const double share = to_seconds(time - before.time) / to_seconds(after->time - before.time);
+  return interpolate(before.map_from_base, after->map_from_base, share);
+}
+
+TrajectoryErrors errors_of(std::span<const EstimatedPose> estimates, std::span<const TimedPose> truth,
+                           double truth_offset_s, const TimeWindows& excluded) {
+  TrajectoryErrors errors;
+  std::vector<double> distances;
+  double square_m = 0.0;
+  double square_deg = 0.0;
+  double square_kept = 0.0;
+  double normalised = 0.0;
+  std::size_t kept = 0;
+  std::size_t lost = 0;
+  std::size_t wrong = 0;
+  for (const EstimatedPose& estimate : estimates) {
+    const auto reference = pose_at(truth, estimate.pose.time + from_seconds(truth_offset_s));
+    if (!reference) continue;
+    const Eigen::Vector2d offset = estimate.pose.map_from_base.position() - reference->position();
+    const double turn = turn_between(reference->heading, estimate.pose.map_from_base.heading);
+    const double distance = offset.norm();
+    const double degrees = std::abs(to_degrees(turn));
+    distances.push_back(distance);
+    square_m += distance * distance;
+    square_deg += degrees * degrees;
+    if (!is_within(excluded, to_seconds(estimate.pose.time.time_since_epoch()))) {
+      square_kept += distance * distance;
+      ++kept;
+    }
+    if (distance > kLostM) ++lost;
+    const bool is_right = distance <= kWrongM && degrees <= kWrongDeg;
+    if (is_right != (estimate.status == LocalizationStatus::Ok)) ++wrong;
+    const Eigen::Vector3d error{offset.x(), offset.y(), turn};
+    normalised += error.dot(estimate.covariance.inverse() * error) / 3.0;
+  }
+  errors.compared = distances.size();
+  if (distances.empty()) return errors;
+  const auto count = static_cast<double>(distances.size());
+  std::sort(distances.begin(), distances.end());
+  errors.rmse_m = root_of_mean(square_m, distances.size());
+  errors.rmse_deg = root_of_mean(square_deg, distances.size());
+  errors.rmse_kept_m = root_of_mean(square_kept, kept);
+  errors.median_m = distances[distances.size() / 2];
+  errors.max_m = distances.back();
+  errors.lost_share = static_cast<double>(lost) / count;
+  errors.nees = normalised / count;
+  errors.status_wrong_share = static_cast<double>(wrong) / count;
+  return errors;
+}
+
+std::vector<Relation> parse_relations(const std::string& text, const std::string& file_name) {
+  std::vector<Relation> relations;
+  for (const auto& numbers : number_lines(text, 8, file_name)) {
+    relations.push_back({Time{from_seconds(numbers[0])},
+                         Time{from_seconds(numbers[1])},
+                         {numbers[2], numbers[3], wrap_to_pi(numbers[7])}});
+  }
+  return relations;
+}
+
+RelationErrors relation_errors_of(std::span<const TimedPose> estimates, std::span<const Relation> relations,
+                                  double truth_offset_s) {
+  RelationErrors errors;
+  double square = 0.0;
+  for (const Relation& relation : relations) {
+    const auto from = pose_at(estimates, relation.from - from_seconds(truth_offset_s));
+    const auto to = pose_at(estimates, relation.to - from_seconds(truth_offset_s));
+    if (!from || !to) continue;
+    const double error = (inverse(relation.from_pose_to_pose) * (inverse(*from) * *to)).position().norm();
+    ++errors.compared;
+    errors.mean_m += error;
+    square += error * error;
+  }
+  if (errors.compared == 0) return errors;
+  const auto count = static_cast<double>(errors.compared);
+  errors.mean_m /= count;
+  errors.deviation_m = std::sqrt(std::max(0.0, square / count - errors.mean_m * errors.mean_m));
+  return errors;
+}
+
+}  // namespace tandem
