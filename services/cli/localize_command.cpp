@@ -40,11 +40,17 @@ struct Truth {
   std::vector<Relation> relations;
 };
 
+/// Some logs tell times that step back.
+std::vector<TimedPose> sorted_by_time(std::vector<TimedPose> poses) {
+  std::stable_sort(poses.begin(), poses.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  return poses;
+}
+
 Truth read_truth(const std::string& file) {
   if (file.empty()) return {};
   const std::string text = carmen::read_log_file(file);  // plain or gzip
   if (file.find(".relations") != std::string::npos) return {.poses = {}, .relations = parse_relations(text, file)};
-  return {.poses = parse_trajectory(text, file), .relations = {}};
+  return {.poses = sorted_by_time(parse_trajectory(text, file)), .relations = {}};
 }
 
 TimeWindows parse_windows(const std::vector<std::string>& texts) {
@@ -103,7 +109,7 @@ nlohmann::ordered_json report_of(const LocalizeOptions& options, const Truth& tr
       errors_of(result.poses, truth.poses, options.truth_offset_s, parse_windows(options.exclude));
   std::vector<TimedPose> poses;
   for (const EstimatedPose& estimate : result.poses) poses.push_back(estimate.pose);
-  const RelationErrors relations = relation_errors_of(poses, truth.relations, options.truth_offset_s);
+  const RelationErrors relations = relation_errors_of(sorted_by_time(std::move(poses)), truth.relations, options.truth_offset_s);
   const auto not_ok = std::count_if(result.poses.begin(), result.poses.end(), [](const EstimatedPose& estimate) {
     return estimate.status != LocalizationStatus::Ok;
   });
