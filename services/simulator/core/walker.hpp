@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -37,20 +38,26 @@ class Walker {
   double speed_mps_ = 0.0;
 };
 
-/// Follows corners one after the other; where a corner cannot be seen it finds the way there.
+/// Follows corners one after the other; where a corner is not straight ahead it finds the way there, once. A corner
+/// that comes no nearer for 4 s is left out.
 class Route {
  public:
   Route() = default;
   explicit Route(std::vector<Eigen::Vector2d> corners_in_map) : corners_(std::move(corners_in_map)) {}
 
   [[nodiscard]] bool finished() const { return next_ >= corners_.size(); }
-  /// Moves `walker` along the route; a corner that no way leads to is left out.
+  /// Moves `walker` along the route.
   void follow(Walker& walker, double speed_mps, double dt_s, const Place& place, std::span<const Disc> others);
 
  private:
+  void find_way(const Eigen::Vector2d& here, const Place& place);
+  void go_on();
+
   std::vector<Eigen::Vector2d> corners_;
   std::size_t next_ = 0;
-  double stood_s_ = 0.0;
+  std::size_t direct_until_ = 0;  ///< Corners before this one belong to a way that was found.
+  double nearest_m_ = std::numeric_limits<double>::infinity();
+  double without_progress_s_ = 0.0;
 };
 
 /// Someone who is not in the search: walks between random points of the ground.
