@@ -17,7 +17,6 @@ struct ReplayCommandOptions {
   std::string file;
   std::string rate = "1";
   std::string trajectory;
-  std::string scans = "all";
   HostOptions host;
   recorder::ReplayOptions replay;
 };
@@ -44,7 +43,6 @@ std::string trajectory_line(const msg::RobotPose& pose) {
 void run(ReplayCommandOptions options) {
   (void)stop_requested();  // from here on Ctrl-C is asked for
   options.replay.rate = rate_of(options.rate);
-  options.replay.odd_scans_only = options.scans == "odd";
   if (!options.trajectory.empty() && !options.replay.lockstep) throw WrongUse("replay: --trajectory needs --lockstep");
   if (options.replay.lockstep && options.replay.loop)
     throw WrongUse("replay: --lockstep and --loop exclude each other");
@@ -60,7 +58,10 @@ void run(ReplayCommandOptions options) {
         progress.show(share);
         return !stop_requested();
       },
-      [&trajectory](const msg::RobotPose& pose) { trajectory += trajectory_line(pose); });
+      [&trajectory](const msg::RobotPose& pose) {
+        const bool is_known = !pose.hypotheses().empty();  // else the scan's answer is that there is no pose
+        if (is_known) trajectory += trajectory_line(pose);
+      });
   if (stop_requested()) throw Interrupted{};
   if (!options.trajectory.empty()) write_file_atomically(options.trajectory, trajectory);
   std::fprintf(stderr, "%s: %llu messages sent\n", options.file.c_str(), static_cast<unsigned long long>(sent));
@@ -79,9 +80,6 @@ void add_replay_command(CLI::App& tandem) {
   command->add_option("--from", options->replay.from_s, "Begin this many seconds into it")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--topics", options->replay.topics, "Only these, separated by commas")->delimiter(',');
-  command->add_option("--scans", options->scans, "All, or every second one (1, 3, 5 ...)")
-      ->check(CLI::IsMember({"all", "odd"}))
-      ->capture_default_str();
   command->add_flag("--loop", options->replay.loop, "Again and again");
   command->add_flag("--lockstep", options->replay.lockstep, "Wait for localization's pose after each scan");
   command->add_option("--trajectory", options->trajectory, "With --lockstep: write the poses as lines of t x y theta");

@@ -107,15 +107,6 @@ void Player::send_latched_before(std::size_t first) {
   }
 }
 
-std::uint64_t Player::scans_before(std::size_t first) {
-  std::uint64_t scans = 0;
-  for (std::size_t i = 0; i < first; ++i) {
-    const Output* output = output_of(reader_.channel_at(i));
-    if (output != nullptr && output->info->name == topic::kScan.name) ++scans;
-  }
-  return scans;
-}
-
 void Player::send_clock(Time time, double rate) {
   msg::Clock clock;
   clock.stamp_ns(to_stamp_ns(time));
@@ -146,12 +137,10 @@ bool Player::play_once(std::size_t first, Time begin, Pass pass) {
   const bool paced = pass.peer == nullptr && options_.rate > 0.0;
   const ReplayPace pace{begin, bus_.clock().now(), options_.rate};
   send_latched_before(first);
-  std::uint64_t scans = scans_before(first);
   for (std::size_t i = first; i < reader_.message_count(); ++i) {
     Output* output = output_of(reader_.channel_at(i));
     if (output == nullptr) continue;
     const bool is_scan = output->info->name == topic::kScan.name;
-    if (is_scan && options_.odd_scans_only && scans++ % 2 == 0) continue;
     pass.share = static_cast<double>(i) / static_cast<double>(reader_.message_count());
     const Time logged = log_time(reader_.log_time_at(i));
     const auto going = [&pass] { return pass.keep_going(pass.share); };

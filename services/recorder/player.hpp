@@ -58,7 +58,6 @@ class Player {
   [[nodiscard]] Output* output_of(std::uint16_t channel_id);
   void send(const mcap::Message& message, Output& output);
   void send_latched_before(std::size_t first);
-  [[nodiscard]] std::uint64_t scans_before(std::size_t first);
   void send_clock(Time time, double rate);
   /// Sleeps until `due`, telling the time meanwhile. False: the replay is to end.
   bool wait_until(Time due, const ReplayPace& pace, const std::function<bool()>& keep_going);

@@ -15,7 +15,6 @@ struct ReplayOptions {
   std::vector<std::string> topics;  ///< Empty: the usual ones.
   bool loop = false;
   bool lockstep = false;        ///< Lossless, and each scan waits for its robot_pose.
-  bool odd_scans_only = false;  ///< Every second scan, the first left out: what a map was made from stays unseen.
 };
 
 /// Whether messages of `topic` are sent again.
