@@ -85,7 +85,8 @@ Course Avoidance::course(const Aim& aim, const Path& path, const Pose2& map_from
     last_curvature_ = course->curvature;
     return *course;
   }
-  if (wanted.free.way_m > config_.stop_margin_m + kLeastWay) wanted.kind = Course::Kind::Arc;  // up to the obstacle
+  constexpr double kRest = 0.02;                                                           // [m]
+  if (wanted.free.way_m > config_.stop_margin_m + kRest) wanted.kind = Course::Kind::Arc;  // up to the obstacle
   return wanted;
 }
 

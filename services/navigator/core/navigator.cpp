@@ -99,6 +99,14 @@ Decision Navigator::decide(const Situation& situation) {
   const double still_s = to_seconds(situation.now - last_motion_.since);
   const double stuck_s = to_seconds(situation.now - last_progress_.since);
   decision.execution.blocked = still_s >= config_.blocked_after_s || stuck_s >= config_.stuck_after_s;
+  if (decision.execution.blocked && aim.remaining_m <= config_.occupied_goal_tolerance_m) {
+    finished_ = true;  // something stands at the goal: as close as it gets
+    decision.velocity = {};
+    decision.execution.finished = true;
+    decision.execution.blocked = false;
+    decision.execution.progress = 1.0;
+    return stand("finished");
+  }
   decision.execution.moving = decision.velocity != Twist2{} && still_s < config_.blocked_after_s &&
                               (situation.base.stopped_by.empty() || situation.base.by_obstacle);
   if (decision.execution.blocked) {

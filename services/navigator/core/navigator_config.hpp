@@ -26,8 +26,9 @@ struct NavigatorConfig {
   double goal_deceleration_mps2 = 0.25;  ///< With which it comes to rest at the goal; gentler than the gate's.
   double max_lateral_acceleration_mps2 = 0.3;
   double goal_tolerance_m = 0.2;
-  double lookahead_s = 1.0;       ///< The point aimed at lies this far ahead at the present speed,
-  double min_lookahead_m = 0.35;  ///< but within these limits.
+  double occupied_goal_tolerance_m = 0.6;  ///< Where something keeps it from getting closer.
+  double lookahead_s = 1.0;                ///< The point aimed at lies this far ahead at the present speed,
+  double min_lookahead_m = 0.35;           ///< but within these limits.
   double max_lookahead_m = 0.6;
   double turn_in_place_from_rad = 0.9;   ///< A larger bearing of the point aimed at is turned away in place,
   double turn_in_place_until_rad = 0.2;  ///< until it is below this one.
@@ -69,6 +70,7 @@ struct NavigatorConfig {
     visitor.field("goal_deceleration_mps2", goal_deceleration_mps2, Range{0.05, 0.6});
     visitor.field("max_lateral_acceleration_mps2", max_lateral_acceleration_mps2, Range{0.05, 2.0});
     visitor.field("goal_tolerance_m", goal_tolerance_m, Range{0.05, 1.0});
+    visitor.field("occupied_goal_tolerance_m", occupied_goal_tolerance_m, Range{0.05, 2.0});
     visitor.field("lookahead_s", lookahead_s, Range{0.2, 5.0});
     visitor.field("min_lookahead_m", min_lookahead_m, Range{0.1, 2.0});
     visitor.field("max_lookahead_m", max_lookahead_m, Range{0.1, 3.0});

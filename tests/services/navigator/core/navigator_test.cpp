@@ -78,6 +78,21 @@ TEST(Navigator, ReportsWhereItIsBlockedAndGoesOnWhenTheWayIsFree) {
   EXPECT_TRUE(drive.drive_to_goal(30.0));
 }
 
+TEST(Navigator, ReachesAGoal45CentimetresBeforeAWall) {
+  Drive drive{kConfig, {{{3.45, -8.0}, {3.45, 8.0}}}, {0.0, 0.0, 0.0}};
+  drive.accept({{0.0, 0.0}, {3.0, 0.0}});
+  EXPECT_TRUE(drive.drive_to_goal(30.0));
+  EXPECT_LT((drive.pose().position() - Eigen::Vector2d(3.0, 0.0)).norm(), 0.25);
+}
+
+TEST(Navigator, IsContentBesideAGoalThatSomethingStandsOn) {
+  std::vector<Wall> walls = {{{3.0, -8.0}, {3.0, 8.0}}};
+  Drive drive{kConfig, walls, {0.0, 0.0, 0.0}};
+  drive.accept({{0.0, 0.0}, {2.95, 0.0}});
+  EXPECT_TRUE(drive.drive_to_goal(30.0));
+  EXPECT_FALSE(drive.step().execution.blocked);
+}
+
 TEST(Navigator, StopsWhenThePlanIsNotRefreshed) {
   Drive drive{kConfig, kHall, {0.0, 0.0, 0.0}};
   drive.accept({{0.0, 0.0}, {10.0, 0.0}});
