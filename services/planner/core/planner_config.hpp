@@ -27,6 +27,7 @@ struct PlannerConfig {
   double slice_s = 0.03;            ///< Computing at a stretch, between heartbeats [s].
   double wait_for_person_s = 10.0;  ///< How long the first plan waits for a person who has not shown up [s].
   double surprise = 0.15;           ///< Replans when the object is this much less likely seen than planned.
+  double late_s = 10.0;             ///< So much behind the plan is still on it [s].
   double deviation_m = 5.0;         ///< Replans when the person is this far from the plan [m] ...
   double deviation_s = 10.0;        ///< ... for so long [s].
   double replan_pause_s = 20.0;     ///< Replans of its own accord only this long after the last one [s].
@@ -69,6 +70,7 @@ struct PlannerConfig {
     visitor.field("slice_s", slice_s, Range{0.001, 1.0});
     visitor.field("wait_for_person_s", wait_for_person_s, Range{0.0, 600.0});
     visitor.field("surprise", surprise, Range{0.01, 1.0});
+    visitor.field("late_s", late_s, Range{0.0, 120.0});
     visitor.field("deviation_m", deviation_m, Range{0.5, 100.0});
     visitor.field("deviation_s", deviation_s, Range{0.0, 600.0});
     visitor.field("replan_pause_s", replan_pause_s, Range{0.0, 600.0});

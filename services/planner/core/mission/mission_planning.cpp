@@ -16,6 +16,15 @@ constexpr double kSlackOfPlans = 1.5;        ///< a plan is void after so many t
 constexpr double kSlack_s = 20.0;            ///< ... and this
 constexpr std::size_t kRejectedKept = 4;
 
+/// How far off `path` a point is [m] for one who should be there at `time_s`, or is up to `late_s` late or early.
+double distance_to_path_m(const TimedPath& path, const Vector2d& point_in_map, double time_s, double late_s) {
+  double nearest_m = (pose_at(path, time_s).position() - point_in_map).norm();
+  for (double other_s = time_s - late_s; other_s <= time_s + late_s; other_s += 1.0) {
+    nearest_m = std::min(nearest_m, (pose_at(path, other_s).position() - point_in_map).norm());
+  }
+  return nearest_m;
+}
+
 }  // namespace
 
 bool SearchMission::person_is_known(Time now) const {
@@ -37,7 +46,7 @@ PlanSituation SearchMission::situation(Time now) const {
   situation.person_is_new = !person_planned_ && person_is_known(now);
   if (person_off_plan_since_) situation.person_off_plan_s = to_seconds(now - *person_off_plan_since_);
   if (!survival_.empty() && left_when_planned_ > 0.0) {
-    const double step = std::max(0.0, elapsed_s(now) / config_.step_s);
+    const double step = std::max(0.0, (elapsed_s(now) - config_.late_s) / config_.step_s);
     const auto index = std::min(survival_.size() - 1, static_cast<std::size_t>(step));
     situation.surprise = belief_->probability_left() / left_when_planned_ - survival_[index];
   }
@@ -47,10 +56,10 @@ PlanSituation SearchMission::situation(Time now) const {
 void SearchMission::follow_person(Time now) {
   const bool checkable = plan_ && person_planned_ && seen_[kPerson] &&
                          seen_[kPerson]->age_s < config_.person_credit_s && standing(now) == PlanStanding::Accepted;
-  const double off_m = checkable ? (seen_[kPerson]->map_from_agent.position() -
-                                    pose_at(plan_->members[kPerson].path, elapsed_s(now)).position())
-                                       .norm()
-                                 : 0.0;
+  const double off_m = checkable
+                           ? distance_to_path_m(plan_->members[kPerson].path, seen_[kPerson]->map_from_agent.position(),
+                                                elapsed_s(now), config_.late_s)
+                           : 0.0;
   if (off_m <= config_.deviation_m) {
     person_off_plan_since_.reset();
   } else if (!person_off_plan_since_) {
@@ -74,6 +83,19 @@ void SearchMission::forget_old_blockages(Time now) {
   std::erase_if(blocked_, [&](const auto& entry) { return to_seconds(now - entry.first) > config_.blocked_memory_s; });
 }
 
+/// Finds the robot's ways around what is blocked; if that shuts it in, it must try again through what was blocked.
+void SearchMission::find_ways_anew(const Vector2d& robot_in_map) {
+  std::vector<BlockedDisc> discs;
+  for (const auto& entry : blocked_) discs.push_back(entry.second);
+  world_->block(discs, robot_in_map);
+  ++world_version_;
+  if (discs.empty()) return;
+  const auto start = world_->robot().add_place(robot_in_map, kStartReach_m);
+  if (start && !world_->robot().nearest_lookouts(*start).empty()) return;
+  blocked_.clear();
+  world_->block({}, robot_in_map);
+}
+
 void SearchMission::begin_plan(Time now, const std::string& reason) {
   const Vector2d robot_in_map = seen_[kRobot]->map_from_agent.position();
   const std::size_t remembered = blocked_.size();
@@ -86,12 +108,7 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
     blocked_since_.reset();
     ways_changed = true;
   }
-  if (ways_changed) {
-    std::vector<BlockedDisc> discs;
-    for (const auto& entry : blocked_) discs.push_back(entry.second);
-    world_->block(discs, robot_in_map);
-    ++world_version_;
-  }
+  if (ways_changed) find_ways_anew(robot_in_map);
   const PlanStanding before = standing(now);
   const bool asked_for = before == PlanStanding::Rejected || before == PlanStanding::Superseded;
   if (!asked_for) rejected_.clear();

@@ -108,6 +108,7 @@ class SearchMission {
   void begin_plan(Time now, const std::string& reason);
   void finish_plan(Time now);
   void forget_old_blockages(Time now);
+  void find_ways_anew(const Eigen::Vector2d& robot_in_map);
   void follow_person(Time now);
   void drop_reached_goals(Time now);
   [[nodiscard]] double elapsed_s(Time now) const;

@@ -54,7 +54,7 @@ class SearchMissionTest : public ::testing::Test {
       const double time_s = to_seconds(now - mission.plan()->start);
       if (time_s > 0.0) {
         robot = pose_at(mission.plan()->members[0].path, time_s);
-        person = pose_at(mission.plan()->members[1].path, time_s);
+        person = pose_at(mission.plan()->members[1].path, time_s - person_late_s);
       }
       tell_poses();
     }
@@ -71,6 +71,7 @@ class SearchMissionTest : public ::testing::Test {
   Pose2 robot;
   Pose2 person;
   bool person_known = true;
+  double person_late_s = 0.0;
 };
 
 TEST_F(SearchMissionTest, PlansNothingBeforeTheSessionRuns) {
@@ -197,6 +198,44 @@ TEST_F(SearchMissionTest, ThatTheSearchWentDifferentlyIsNoticed) {
   pass(seconds{25});  // nobody moves
   ASSERT_TRUE(mission.step(now, kNeverOver));
   EXPECT_EQ(mission.plan()->reason, "less was seen than planned");
+}
+
+TEST_F(SearchMissionTest, APersonWhoIsAFewSecondsLateIsStillOnThePlan) {
+  run();
+  ASSERT_TRUE(plan());
+  person_late_s = 8.0;
+  for (int i = 0; i < 30; ++i) {
+    carry_out(seconds{1});
+    EXPECT_FALSE(mission.step(now, kNeverOver)) << mission.plan()->reason;
+  }
+}
+
+TEST_F(SearchMissionTest, APersonWhoStaysElsewhereIsPlannedForAnew) {
+  run();
+  ASSERT_TRUE(plan());
+  const Pose2 corner = person.x < 8.0 ? Pose2{15.5, 9.5, 0.0} : Pose2{1.0, 1.0, 0.0};
+  bool planned = false;
+  for (int i = 0; i < 300 && !planned; ++i) {
+    now += milliseconds{200};
+    robot = pose_at(mission.plan()->members[0].path, to_seconds(now - mission.plan()->start));
+    person = corner;
+    tell_poses();
+    planned = mission.step(now, kNeverOver);
+  }
+  EXPECT_TRUE(planned);
+}
+
+TEST_F(SearchMissionTest, ARobotShutInByWhatWasBlockedTriesAgain) {
+  run();
+  ASSERT_TRUE(plan());
+  carry_out(seconds{4});
+  auto blocked = progress();
+  blocked.blocked = true;
+  blocked.blocked_at_in_map = robot.position() + Vector2d{0.1, 0.0};
+  mission.robot_progress(blocked, now);
+  pass(seconds{4});
+  ASSERT_TRUE(mission.step(now, kNeverOver));
+  EXPECT_GT(mission.plan()->members[0].path.duration_s(), 5.0);
 }
 
 TEST_F(SearchMissionTest, PlansForTheRobotAloneAfterAWhileAndForBothOnceThePersonIsKnown) {
