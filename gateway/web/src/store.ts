@@ -33,6 +33,8 @@ export const map = signal<MapMessage | undefined>(undefined);
 export const belief = signal<BeliefGrid | undefined>(undefined);
 export const foundAt = signal<{ by: string; at: PointInMap | undefined } | undefined>(undefined);
 export const view = signal<MapView | undefined>(undefined);
+/** The view shows everything, and goes on to when the screen changes, until a finger moves it. */
+export const showsEverything = signal(true);
 export const showBelief = signal(true);
 export const tool = signal<PlaceKind>("my_pose");
 export const toast = signal<Toast | undefined>(undefined);
@@ -198,15 +200,22 @@ export function resume(heldMs: number): void {
   ask({ kind: "resume", heldMs });
 }
 
+/** A finger moved the map. */
+export function look(moved: MapView): void {
+  showsEverything.value = false;
+  view.value = moved;
+}
+
 /** Height of the row of buttons along the lower edge of the map. */
 const kButtonBand = 76;
 
-/** Shows the whole map in a canvas of the given size, above the row of buttons. */
-export function showEverything(width: number, height: number): void {
+/** Shows the whole map in a canvas of the given size, above the row of buttons; turned as `before` was. */
+export function showEverything(width: number, height: number, before?: MapView): void {
   const one = map.value;
   if (one === undefined || height <= kButtonBand) return;
+  showsEverything.value = true;
   const low = pointInMap(one.x, one.y);
   const high = pointInMap(one.x + one.width * one.resolution_m, one.y + one.height * one.resolution_m);
-  const fit = fitted(low, high, pixels(width), pixels(height - kButtonBand));
+  const fit = fitted(low, high, pixels(width), pixels(height - kButtonBand), before);
   view.value = panned({ ...fit, height: pixels(height) }, pointOnScreen(0, 0), pointOnScreen(0, -kButtonBand / 2));
 }

@@ -49,4 +49,9 @@ describe("a map view", () => {
     const square = fitted(pointInMap(0, 0), pointInMap(10, 10), pixels(400), pixels(600));
     expect(square.turn).toBe(0);
   });
+  it("does not turn a map that is read already", () => {
+    const wide = fitted(pointInMap(0, 0), pointInMap(40, 10), pixels(400), pixels(600));
+    const smaller = fitted(pointInMap(0, 0), pointInMap(40, 10), pixels(600), pixels(400), wide);
+    expect(smaller.turn).toBe(wide.turn);
+  });
 });

@@ -52,13 +52,22 @@ export function pinched(view: MapView, fixed: PointOnScreen, factor: number, tur
 /** A quarter turn must show the map this much larger to be worth reading it sideways. */
 const kWorthTurning = 1.3;
 
-/** The view that shows the rectangle from `low` to `high`, with a margin; turned a quarter if it is much larger so. */
-export function fitted(low: PointInMap, high: PointInMap, width: Pixels, height: Pixels): MapView {
+/**
+ * The view that shows the rectangle from `low` to `high`, with a margin; turned a quarter if it is much larger so, or as
+ * `before` was turned: a map that is read already does not turn by itself.
+ */
+export function fitted(
+  low: PointInMap,
+  high: PointInMap,
+  width: Pixels,
+  height: Pixels,
+  before?: MapView | undefined,
+): MapView {
   const along = Math.max(1, high.x - low.x);
   const across = Math.max(1, high.y - low.y);
   const upright = Math.min(width / along, height / across);
   const turned = Math.min(width / across, height / along);
-  const turn = turned > kWorthTurning * upright;
+  const turn = before === undefined ? turned > kWorthTurning * upright : before.turn > Math.PI / 4;
   return {
     centre: pointInMap((low.x + high.x) / 2, (low.y + high.y) / 2),
     pixelsPerMetre: Math.min(kMaxScale, Math.max(kMinScale, 0.94 * (turn ? turned : upright))),

@@ -7,7 +7,7 @@ function recentre(): void {
 }
 
 function turnUpright(): void {
-  if (store.view.value !== undefined) store.view.value = { ...store.view.value, turn: radians(0) };
+  if (store.view.value !== undefined) store.look({ ...store.view.value, turn: radians(0) });
 }
 
 /** A row along the lower edge of the map, in reach of a thumb and off the map that fits above it. */

@@ -79,7 +79,7 @@ function attach(canvas: HTMLCanvasElement): () => void {
     canvas.width = Math.round(clientWidth * ratio);
     canvas.height = Math.round(clientHeight * ratio);
     const view = store.view.value;
-    if (view === undefined) store.showEverything(clientWidth, clientHeight);
+    if (view === undefined || store.showsEverything.value) store.showEverything(clientWidth, clientHeight, view);
     else store.view.value = { ...view, width: pixels(clientWidth), height: pixels(clientHeight) };
     if (frame === 0) frame = requestAnimationFrame(draw);
   };
@@ -110,10 +110,10 @@ function listen(canvas: HTMLCanvasElement): () => void {
       if (view !== undefined) store.place(toMap(view, at));
     },
     drag: (from, to) => {
-      if (store.view.value !== undefined) store.view.value = panned(store.view.value, from, to);
+      if (store.view.value !== undefined) store.look(panned(store.view.value, from, to));
     },
     pinch: (fixed, factor, turn) => {
-      if (store.view.value !== undefined) store.view.value = pinched(store.view.value, fixed, factor, turn);
+      if (store.view.value !== undefined) store.look(pinched(store.view.value, fixed, factor, turn));
     },
   });
   const where = (event: PointerEvent | WheelEvent): PointOnScreen => {
@@ -138,7 +138,7 @@ function listen(canvas: HTMLCanvasElement): () => void {
     (event) => {
       event.preventDefault();
       const view = store.view.value;
-      if (view !== undefined) store.view.value = pinched(view, where(event), Math.exp(-event.deltaY / 400), radians(0));
+      if (view !== undefined) store.look(pinched(view, where(event), Math.exp(-event.deltaY / 400), radians(0)));
     },
     { ...options, passive: false },
   );
