@@ -20,7 +20,7 @@ class Reconnection {
     ++failures_;
     if (silent) rate_ = (rate_ + 1) % kBaudRates.size();
   }
-  /// How long to wait before opening it again: 0.1 s, doubled with each failure in a row, at most 2 s.
+  /// How long to wait before opening it again: 0.1 s, doubled with each failure in a row, at most 1 s.
   [[nodiscard]] Duration delay() const {
     Duration delay = std::chrono::milliseconds{100};
     for (int i = 1; i < failures_ && delay < kMostDelay; ++i) delay *= 2;
@@ -29,7 +29,7 @@ class Reconnection {
   [[nodiscard]] int baud_rate() const { return kBaudRates[rate_]; }
 
  private:
-  static constexpr Duration kMostDelay = std::chrono::seconds{2};
+  static constexpr Duration kMostDelay = std::chrono::seconds{1};
   int failures_ = 0;
   std::size_t rate_ = 0;
 };
