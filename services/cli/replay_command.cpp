@@ -8,6 +8,7 @@
 #include "services/cli/host_bus.hpp"
 #include "services/cli/progress.hpp"
 #include "services/common/file_io.hpp"
+#include "services/localization/core/trajectory_file.hpp"
 #include "services/recorder/player.hpp"
 
 namespace tandem::cli {
@@ -32,12 +33,9 @@ double rate_of(const std::string& text) {
   throw WrongUse("replay: --rate is a number above 0, or max: " + text);
 }
 
-std::string trajectory_line(const msg::RobotPose& pose) {
-  char line[128];
-  const msg::Pose& map_from_base = pose.map_from_base();
-  std::snprintf(line, sizeof(line), "%.6f %.9f %.9f %.9f\n", static_cast<double>(pose.stamp_ns()) * 1e-9,
-                map_from_base.x(), map_from_base.y(), map_from_base.heading());
-  return line;
+TimedPose timed(const msg::RobotPose& message) {
+  const msg::Pose& pose = message.map_from_base();
+  return {from_stamp_ns(message.stamp_ns()), {pose.x(), pose.y(), pose.heading()}};
 }
 
 void run(ReplayCommandOptions options) {
@@ -60,7 +58,7 @@ void run(ReplayCommandOptions options) {
       },
       [&trajectory](const msg::RobotPose& pose) {
         const bool is_known = !pose.hypotheses().empty();  // else the scan's answer is that there is no pose
-        if (is_known) trajectory += trajectory_line(pose);
+        if (is_known) trajectory += trajectory_line(timed(pose));
       });
   if (stop_requested()) throw Interrupted{};
   if (!options.trajectory.empty()) write_file_atomically(options.trajectory, trajectory);
