@@ -12,7 +12,7 @@ namespace tandem {
 struct LocalizationConfig {
   std::int64_t seed = 1;           ///< Of all random draws.
   std::string scans = "all";       ///< "odd": use scans 1, 3, 5, ... of 0, 1, 2, ... alone.
-  std::vector<double> start;       ///< [x m, y m, heading rad] at the first scan; empty: wait for a pose hint.
+  std::vector<double> start;       ///< [x m, y m, heading rad] at the first scan used; empty: wait for a pose hint.
   double start_deviation_m = 0.1;  ///< Standard deviation of the start pose; its heading: the same in rad.
   bool start_globally = false;     ///< Without a start pose: look for the robot on the whole map.
 

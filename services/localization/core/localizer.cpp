@@ -139,11 +139,12 @@ void Localizer::resample(const Fit& fit) {
 std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   const bool thinned_out = config_.scans == "odd" && scan_count_ % 2 == 0;
   ++scan_count_;
+  if (thinned_out) return std::nullopt;  // as if it had never been there
   const auto odometry = odometry_.at(scan.time);
   if (!odometry) return std::nullopt;
   start_at(*odometry);
   apply_hint();
-  if (thinned_out || !is_started()) return std::nullopt;
+  if (!is_started()) return std::nullopt;
   endpoints_ = selected_endpoints(scan, static_cast<std::size_t>(config_.refine_beams), config_.range_limit_m,
                                   odometry->velocity);
   if (endpoints_.size() < kMinReturns) return std::nullopt;

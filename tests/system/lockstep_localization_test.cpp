@@ -1,0 +1,103 @@
+// The live service, fed in lockstep, finds the very poses that `tandem localize` finds offline.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "services/common/file_io.hpp"
+#include "services/recorder/core/carmen_log.hpp"
+#include "tests/support/domain_lease.hpp"
+#include "tests/support/test_data.hpp"
+
+namespace tandem::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kBin = TANDEM_BINARY_DIR "/bin/";
+
+/// A program that runs until this object goes.
+class Process {
+ public:
+  explicit Process(const std::vector<std::string>& words) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));  // NOLINT
+    arguments.push_back(nullptr);
+    id_ = fork();
+    if (id_ == 0) {
+      execv(arguments[0], arguments.data());
+      _exit(127);
+    }
+  }
+  ~Process() {
+    kill(id_, SIGTERM);
+    int status = 0;
+    waitpid(id_, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+ private:
+  pid_t id_ = -1;
+};
+
+int run(const std::string& command) { return WEXITSTATUS(std::system(command.c_str())); }
+
+/// The lines of fr079 up to `end_s`.
+std::string first_seconds_of_fr079(double end_s) {
+  std::istringstream all{carmen::read_log_file((data_folder() / "fr079/fr079.odomscan.txt.gz").string())};
+  std::string kept;
+  for (std::string line; std::getline(all, line);) {
+    if (!line.starts_with('#') && std::stod(line.substr(2)) > end_s) break;
+    kept += line + "\n";
+  }
+  return kept;
+}
+
+class LockstepLocalization : public testing::Test {
+ protected:
+  void prepare() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "config");
+    write_file_atomically(folder_ / "log.txt", first_seconds_of_fr079(60.0));
+    write_file_atomically(folder_ / "config/site.toml", "host_domain = " + std::to_string(domain_[0]) + "\n");
+    write_file_atomically(folder_ / "config/map-server.toml", "map = \"" + map_ + "\"\n");
+    write_file_atomically(folder_ / "config/localization.toml",
+                          "seed = 7\nscans = \"odd\"\nstart = [0.001236, -0.001068, 0.000029]\n");
+    ASSERT_EQ(run(kBin + "tandem import carmen " + path("log.txt") + " -o " + path("log.mcap")), 0);
+  }
+  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  const DomainLease domain_{1};
+  const fs::path folder_ = fs::path{testing::TempDir()} / "tandem_lockstep_localization_test";
+  const std::string map_ = fs::absolute(data_folder() / "maps/fr079_even.yaml").string();
+};
+
+TEST_F(LockstepLocalization, GivesTheTrajectoryOfTandemLocalizeByteForByte) {
+  TANDEM_NEEDS_DATA("fr079/fr079.odomscan.txt.gz");
+  prepare();
+  ASSERT_EQ(run(kBin + "tandem localize " + path("log.mcap") + " --map " + map_ + " --config " +
+                path("config/localization.toml") + " --trajectory " + path("offline.txt")),
+            0);
+  {
+    const Process maps{{kBin + "tandem-map-server", "--config", path("config"), "--lockstep"}};
+    const Process localization{{kBin + "tandem-localization", "--config", path("config"), "--lockstep"}};
+    ASSERT_EQ(run(kBin + "tandem replay " + path("log.mcap") + " --lockstep --config " + path("config") +
+                  " --trajectory " + path("live.txt")),
+              0);
+  }
+  const std::string offline = read_file(folder_ / "offline.txt");
+  EXPECT_GT(offline.size(), 4'000U);
+  EXPECT_EQ(read_file(folder_ / "live.txt"), offline);
+  fs::remove_all(folder_);
+}
+
+}  // namespace
+}  // namespace tandem::test
