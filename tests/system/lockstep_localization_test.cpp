@@ -48,7 +48,9 @@ class Process {
   pid_t id_ = -1;
 };
 
-int run(const std::string& command) { return WEXITSTATUS(std::system(command.c_str())); }
+int run(const std::string& command) {
+  return WEXITSTATUS(std::system(command.c_str()));
+}
 
 /// The lines of fr079 up to `end_s`.
 std::string first_seconds_of_fr079(double end_s) {
