@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/bus/bus.hpp"
+#include "services/bus/domain_lease.hpp"
+#include "services/cli/up/episode.hpp"
+#include "services/cli/up/run_folder.hpp"
+#include "services/cli/up/supervisor.hpp"
+
+namespace tandem::test {
+
+/// How a team is made up for a test.
+struct TeamOptions {
+  std::string scenario = "quick";
+  std::uint64_t seed = 1;
+  std::string robot = "robot1";
+  std::string agent = "person1";
+  int robot_domain = 0;
+  int laptop_domain = 0;
+  int link_domain = 0;
+  bool play = false;
+  std::vector<std::string> without;  ///< services that are not started
+};
+
+/// A robot, a laptop, a simulated world and a simulated person: the real processes, on domains and ports of their own.
+class SimulatedTeam {
+ public:
+  explicit SimulatedTeam(const TeamOptions& options);
+  ~SimulatedTeam();
+
+  /// Leads the episode until `condition` holds. False after `timeout`, or when a process ended that was not killed.
+  bool run_until(Duration timeout, const std::function<bool()>& condition);
+  /// Kills a service at once: "base", "relay", ... of the host that is named.
+  void kill(const std::string& host, const std::string& service);
+
+  [[nodiscard]] cli::Episode& episode() { return *episode_; }
+  [[nodiscard]] bus::Bus& robot_bus() { return *robot_bus_; }
+  [[nodiscard]] bus::Bus& laptop_bus() { return *laptop_bus_; }
+  [[nodiscard]] const cli::RunFolder& folder() const { return folder_; }
+  [[nodiscard]] const SiteConfig& laptop_site() const { return laptop_site_; }
+  /// The faster wheel's true speed [m/s], newest; nothing before the first.
+  [[nodiscard]] std::optional<double> wheel_speed_mps() const;
+  /// How long the wheels went on turning.
+  struct Standstill {
+    double after_s = 0.0;  ///< from the call until the last moment with a turning wheel
+  };
+  /// Watches the wheels for `duration` and tells when they last turned.
+  [[nodiscard]] Standstill watch_wheels(Duration duration);
+  /// The logs' last lines, for a failing test's message.
+  [[nodiscard]] std::string last_words() const;
+
+ private:
+  TeamOptions options_;
+  cli::RunFolder folder_;
+  SiteConfig laptop_site_;
+  cli::Supervisor supervisor_;
+  std::unique_ptr<bus::Bus> robot_bus_;
+  std::unique_ptr<bus::Bus> laptop_bus_;
+  std::unique_ptr<bus::InOrder<msg::GroundTruth, msg::GroundTruthPubSubType>> truth_;
+  std::optional<msg::GroundTruth> newest_truth_;
+  std::unique_ptr<cli::Episode> episode_;
+  std::vector<std::string> processes_;
+  std::string unexpected_end_;
+};
+
+}  // namespace tandem::test
