@@ -124,11 +124,6 @@ class Bus::Participant {
     return arrived;
   }
 
-  [[nodiscard]] bool is_own(const WriterId& writer) const {
-    const WriterId own = to_writer_id(participant_->guid());
-    return std::equal(own.begin(), own.begin() + 12, writer.begin());
-  }
-
   [[noreturn]] void refuse() const {
     throw std::runtime_error("DDS domain " + std::to_string(options_.domain) + " cannot be joined at " +
                              options_.address + ": is that an address of this machine? See site.toml");
@@ -271,10 +266,6 @@ std::unique_ptr<Subscription> Bus::subscribe(const TopicInfo& topic, std::shared
 
 bool Bus::wait(Duration timeout) {
   return participant_->wait(timeout);
-}
-
-bool Bus::is_own(const WriterId& writer) const {
-  return participant_->is_own(writer);
 }
 
 const Clock& Bus::clock() const {

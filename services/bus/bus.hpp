@@ -158,8 +158,6 @@ class Bus {
 
   /// Sleeps until any mailbox of this bus gets a sample it did not have at the last return, or `timeout` has passed.
   bool wait(Duration timeout);
-  /// True for a writer of this very participant: how a relay knows its own samples.
-  [[nodiscard]] bool is_own(const WriterId& writer) const;
   /// Monotonic mission time; what `received` is stamped with.
   [[nodiscard]] const Clock& clock() const;
   [[nodiscard]] Pace pace() const;

@@ -42,7 +42,6 @@ class RelayService::Route {
   Route(const TopicInfo& topic, Crossing crossing, bus::Bus& from, bus::Bus& to, std::size_t scan_beams)
       : name_(topic.name),
         crossing_(crossing),
-        from_(from),
         thins_scans_(topic.name == topic::kScan.name && crossing == Crossing::HostToLink),
         scan_beams_(scan_beams),
         type_(topic.make_type()),
@@ -51,9 +50,12 @@ class RelayService::Route {
         writer_(to.raw_writer(topic)),
         subscription_(from.subscribe(topic, box_)) {}
 
-  void forward(Time now, std::optional<Duration> clock_offset) {
+  [[nodiscard]] bus::WriterId writer_id() const { return writer_->id(); }
+
+  /// `own` are the writers of all routes: what we brought in does not go out again.
+  void forward(Time now, std::optional<Duration> clock_offset, const std::set<bus::WriterId>& own) {
     for (const auto& sample : box_->take()) {
-      if (from_.is_own(sample.writer)) continue;  // what we brought in does not go out again
+      if (own.contains(sample.writer)) continue;
       if (sample.kind != bus::RawSample::Kind::Data) {
         writer_->dispose(sample.key);
         continue;
@@ -81,7 +83,6 @@ class RelayService::Route {
 
   std::string name_;
   Crossing crossing_;
-  bus::Bus& from_;
   bool thins_scans_;
   std::size_t scan_beams_;
   std::unique_ptr<eprosima::fastdds::dds::TopicDataType> type_;
@@ -112,6 +113,9 @@ RelayService::RelayService(const SiteConfig& site, const RelayConfig& config, bu
       inward_.push_back(std::make_unique<Route>(topic, Crossing::LinkToHost, link, host, scan_beams));
     }
   }
+  for (const auto* routes : {&outward_, &inward_}) {
+    for (const auto& route : *routes) own_.insert(route->writer_id());
+  }
   outward_thread_ = std::thread{[this] { pump(host_, outward_); }};
   inward_thread_ = std::thread{[this] { pump(link_, inward_); }};
 }
@@ -126,7 +130,7 @@ void RelayService::pump(bus::Bus& from, std::vector<std::unique_ptr<Route>>& rou
   while (!ended_) {
     from.wait(std::chrono::milliseconds{100});
     const auto offset = clock_offset();
-    for (auto& route : routes) route->forward(from.clock().now(), offset);
+    for (auto& route : routes) route->forward(from.clock().now(), offset, own_);
   }
 }
 

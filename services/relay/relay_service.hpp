@@ -3,6 +3,7 @@
 #include <atomic>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <thread>
 #include <vector>
 
@@ -46,6 +47,7 @@ class RelayService {
   Time next_status_{};
   std::vector<std::unique_ptr<Route>> outward_;
   std::vector<std::unique_ptr<Route>> inward_;
+  std::set<bus::WriterId> own_;
   std::atomic<bool> ended_ = false;
   std::thread outward_thread_;
   std::thread inward_thread_;

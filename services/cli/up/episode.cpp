@@ -99,6 +99,8 @@ void Episode::step() {
       if (pose && pose->message.status() == msg::LOCALIZATION_OK &&
           outcome.state == bus::EventOutcome::State::Applied) {
         start_session();
+      } else if (outcome.state == bus::EventOutcome::State::Refused) {
+        place_robot();  // it was not ready for it
       } else if (now - began_ > plan_.ready_within) {
         reason_ = "the robot does not find itself on the map" + (outcome.reason.empty() ? "" : ": " + outcome.reason);
         end_session(Phase::Failed, "aborted");
@@ -129,7 +131,9 @@ std::vector<std::string> Episode::missing_services() const {
   std::vector<std::string> missing = plan_.needed;
   for (const auto& received : health_.each()) {
     const auto& health = received.message;
-    if (health.state() != msg::HEALTH_OK && health.state() != msg::HEALTH_DEGRADED) continue;
+    // The localization is ready when it waits to be placed.
+    const bool waits_for_us = health.service() == "localization" && health.state() == msg::HEALTH_STARTING;
+    if (health.state() != msg::HEALTH_OK && health.state() != msg::HEALTH_DEGRADED && !waits_for_us) continue;
     std::erase(missing, health.host() + "/" + health.service());
   }
   return missing;

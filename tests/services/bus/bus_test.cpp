@@ -98,15 +98,6 @@ TEST(Bus, MalformedSamplesOfAKeyedTopicEndNeitherReaderNorProcess) {
   }));
 }
 
-TEST(Bus, KnowsItsOwnSamples) {
-  const test::DomainLease domain{1};
-  Bus one{options_in(domain[0], "one")};
-  Bus two{options_in(domain[0], "two")};
-  auto writer = one.writer(topic::kSession);
-  EXPECT_TRUE(one.is_own(writer.raw().id()));
-  EXPECT_FALSE(two.is_own(writer.raw().id()));
-}
-
 TEST(Bus, PartitionsKeepTeamsApartOnOneLink) {
   const test::DomainLease domain{1};
   auto team1 = options_in(domain[0], "team1");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/support/domain_lease.hpp"
 
 namespace tandem {
@@ -58,6 +60,23 @@ TEST(Relay, CarriesAStateToTheOtherHostAndTellsThatTheLinkIsUp) {
     const auto status = link.newest();
     return reader.newest() && status && status->message.up() && status->message.peer() == "robot1";
   }));
+}
+
+TEST(Relay, ItsOwnHealthReachesTheOtherHostAndNothingGoesInCircles) {
+  const test::DomainLease domains{3};
+  Host robot{"robot1", "robot", "robot1", domains[0], domains[2]};
+  Host laptop{"laptop1", "laptop", "robot1", domains[1], domains[2]};
+  auto health = laptop.services.latest(topic::kServiceHealth);
+  auto count = laptop.services.in_order(topic::kServiceHealth);
+  std::set<std::string> hosts;
+  EXPECT_TRUE(bus::wait_until(laptop.services, seconds{20}, [&] {
+    robot.relay.step();
+    laptop.relay.step();
+    for (const auto& received : health.each()) hosts.insert(received.message.host());
+    return hosts.size() == 2;
+  }));
+  // One sample a second of each host: an echo between the relays would make many more.
+  EXPECT_LE(count.take().size(), 8U);
 }
 
 TEST(Relay, AVelocityOnTheLinkNeverArrives) {
