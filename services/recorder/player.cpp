@@ -1,7 +1,6 @@
 #include "services/recorder/player.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <stdexcept>
 
 #include "services/recorder/core/disposed_record.hpp"
@@ -20,23 +19,6 @@ Time log_time(std::uint64_t nanoseconds) {
 
 std::vector<std::uint8_t> bytes_of(mcap::ByteView view) {
   return {view.begin(), view.end()};
-}
-
-/// The key hash of the message in `payload`; all zero for a topic without key. None if the payload is not a `type`.
-std::optional<bus::KeyHash> key_of(eprosima::fastdds::dds::TopicDataType& type, mcap::ByteView payload) {
-  bus::KeyHash key{};
-  if (!type.m_isGetKeyDefined) return key;
-  if (payload.size() < 4) return std::nullopt;
-  eprosima::fastrtps::rtps::SerializedPayload_t cdr{static_cast<std::uint32_t>(payload.size())};
-  std::memcpy(cdr.data, payload.data(), payload.size());
-  cdr.length = static_cast<std::uint32_t>(payload.size());
-  void* message = type.createData();
-  eprosima::fastrtps::rtps::InstanceHandle_t handle;
-  const bool known = type.deserialize(&cdr, message) && type.getKey(message, &handle);
-  type.deleteData(message);
-  if (!known) return std::nullopt;
-  for (std::size_t i = 0; i < key.size(); ++i) key[i] = handle.value[i];
-  return key;
 }
 
 }  // namespace
@@ -74,7 +56,7 @@ void Player::make_outputs() {
     if (outputs_.contains(topic)) continue;
     // While we look for a base, the others' readers find our writers; only that of base_status must wait.
     const bool waits = topic == topic::kBaseStatus.name;
-    outputs_[topic] = {&*info, info->make_type(), waits ? nullptr : bus_.raw_writer(*info)};
+    outputs_.emplace(topic, Output{&*info, bus::PayloadType{*info}, waits ? nullptr : bus_.raw_writer(*info)});
   }
   if (outputs_.empty()) throw std::runtime_error("the recording holds none of the topics to replay");
 }
@@ -87,7 +69,7 @@ Player::Output* Player::output_of(std::uint16_t channel_id) {
 void Player::send(const mcap::Message& message, Output& output) {
   if (disposed_channels_.contains(message.channel_id)) {
     if (const auto key = disposed_key(message.data)) output.writer->dispose(*key);
-  } else if (const auto key = key_of(*output.type, message.data)) {
+  } else if (const auto key = output.type.key_of(message.data)) {
     output.writer->write(bytes_of(message.data), *key, log_time(message.publish_time));
   }
   ++sent_;
@@ -100,7 +82,7 @@ void Player::send_latched_before(std::size_t first) {
     if (output == nullptr || output->info->delivery != Delivery::State) continue;
     const auto message = reader_.message_at(i);
     if (!message || disposed_channels_.contains(message->channel_id)) continue;
-    if (const auto key = key_of(*output->type, message->data)) newest[{message->channel_id, *key}] = i;
+    if (const auto key = output->type.key_of(message->data)) newest[{message->channel_id, *key}] = i;
   }
   for (const auto& [instance, index] : newest) {
     if (const auto message = reader_.message_at(index)) send(*message, *output_of(instance.first));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "services/bus/bus.hpp"
+#include "services/bus/payload_type.hpp"
 #include "services/recorder/core/mcap_reader.hpp"
 #include "services/recorder/core/replay_plan.hpp"
 
@@ -37,7 +38,7 @@ class Player {
   /// A topic that is played, and how to find the key of its payloads.
   struct Output {
     const TopicInfo* info = nullptr;
-    std::unique_ptr<eprosima::fastdds::dds::TopicDataType> type;
+    bus::PayloadType type;
     std::unique_ptr<bus::RawWriter> writer;
   };
 

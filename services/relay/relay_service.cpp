@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "services/bus/payload_type.hpp"
 #include "services/common/version.hpp"
 #include "services/relay/core/forwarding.hpp"
 #include "services/relay/relay_messages.hpp"
@@ -10,17 +11,6 @@ namespace tandem {
 namespace {
 
 constexpr Duration kStatusPeriod = std::chrono::milliseconds{500};
-
-/// True if `payload` is a whole message of its type. The link is outside: nothing malformed enters the house.
-bool is_well_formed(eprosima::fastdds::dds::TopicDataType& type, const std::vector<std::uint8_t>& payload) {
-  eprosima::fastrtps::rtps::SerializedPayload_t serialized{static_cast<std::uint32_t>(payload.size())};
-  std::copy(payload.begin(), payload.end(), serialized.data);
-  serialized.length = static_cast<std::uint32_t>(payload.size());
-  void* message = type.createData();
-  const bool whole = payload.size() >= 4 && type.deserialize(&serialized, message);
-  type.deleteData(message);
-  return whole;
-}
 
 }  // namespace
 
@@ -44,7 +34,7 @@ class RelayService::Route {
         crossing_(crossing),
         thins_scans_(topic.name == topic::kScan.name && crossing == Crossing::HostToLink),
         scan_beams_(scan_beams),
-        type_(topic.make_type()),
+        type_(topic),
         gate_(rule_of(topic)),
         box_(std::make_shared<bus::InOrderBox>(1000)),
         writer_(to.raw_writer(topic)),
@@ -67,7 +57,7 @@ class RelayService::Route {
       const bool age_known = !inward || clock_offset.has_value();
       const double age_s = age_known ? to_seconds(now - source_time) : 0.0;
       if (!gate_.passes(sample.key, now, age_s)) continue;
-      if (!is_well_formed(*type_, sample.payload)) {
+      if (!type_.is_well_formed(sample.payload)) {  // the link is outside: nothing malformed enters the house
         spdlog::warn("malformed sample dropped: topic={} bytes={}", name_, sample.payload.size());
         continue;
       }
@@ -85,7 +75,7 @@ class RelayService::Route {
   Crossing crossing_;
   bool thins_scans_;
   std::size_t scan_beams_;
-  std::unique_ptr<eprosima::fastdds::dds::TopicDataType> type_;
+  bus::PayloadType type_;
   ForwardingGate gate_;
   std::shared_ptr<bus::InOrderBox> box_;  // shared with the subscription, which may still be filling it at the end
   std::unique_ptr<bus::RawWriter> writer_;

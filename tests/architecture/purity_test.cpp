@@ -35,7 +35,7 @@ TEST(Purity, OnlyTheClockAsksTheMachineForTheTime) {
 }
 
 TEST(Purity, OnlyTheBusKnowsDds) {
-  const std::regex dds{"#include <(fastdds|fastrtps|fastcdr)"};
+  const std::regex dds{"#include <(fastdds|fastrtps|fastcdr)|\\beprosima::"};
   for (const auto& line : lines_of_sources(kAll)) {
     if (line.file.starts_with("services/bus/")) continue;
     EXPECT_FALSE(std::regex_search(line.text, dds)) << line.file << ":" << line.number << ": " << line.text;

@@ -1,0 +1,39 @@
+#include "services/bus/payload_type.hpp"
+
+#include <algorithm>
+
+namespace tandem::bus {
+namespace {
+
+using eprosima::fastdds::dds::TopicDataType;
+
+/// Calls `use(message)` with the message in `payload`. False if it is not well-formed, or what `use` returns.
+template <typename Use>
+bool with_message(TopicDataType& type, std::span<const std::uint8_t> payload, Use use) {
+  if (payload.size() < 4) return false;  // not even an encapsulation header
+  eprosima::fastrtps::rtps::SerializedPayload_t cdr{static_cast<std::uint32_t>(payload.size())};
+  std::copy(payload.begin(), payload.end(), cdr.data);
+  cdr.length = static_cast<std::uint32_t>(payload.size());
+  void* message = type.createData();
+  const bool good = type.deserialize(&cdr, message) && use(message);
+  type.deleteData(message);
+  return good;
+}
+
+}  // namespace
+
+bool PayloadType::is_well_formed(std::span<const std::uint8_t> payload) const {
+  return with_message(*type_, payload, [](void*) { return true; });
+}
+
+std::optional<KeyHash> PayloadType::key_of(std::span<const std::uint8_t> payload) const {
+  KeyHash key{};
+  eprosima::fastrtps::rtps::InstanceHandle_t handle;
+  const bool known = with_message(
+      *type_, payload, [&](void* message) { return !type_->m_isGetKeyDefined || type_->getKey(message, &handle); });
+  if (!known) return std::nullopt;
+  for (std::size_t i = 0; type_->m_isGetKeyDefined && i < key.size(); ++i) key[i] = handle.value[i];
+  return key;
+}
+
+}  // namespace tandem::bus
