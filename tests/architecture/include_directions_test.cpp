@@ -63,6 +63,8 @@ const std::vector<Row>& rows() {
       {"gateway/protocol/", {"gateway/protocol/", "services/common/"}},
       {"gateway/server/core/", with(kCore, {"gateway/server/core/", "gateway/protocol/"})},
       {"gateway/server/", with(kShell, {"gateway/"})},
+      // What Vite built, as a table of texts.
+      {"gateway/web/", {"gateway/net/"}},
       {"calibration/", with(kCore, {"calibration/", "*/core/"})},
       {"bench/", with(kCore, {"bench/", "*/core/"})},
   };
