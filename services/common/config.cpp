@@ -3,6 +3,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -29,23 +31,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(17);
-  text << value;
-  return text.str();
-}
-
+/// The shortest text that reads back as `value`, in any locale.
 std::string shortest(double value) {
-  for (int precision = 1; precision <= 17; ++precision) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(precision);
-    text << value;
-    if (std::stod(text.str()) == value) return text.str();
-  }
-  return number(value);
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
 }
 
 std::string range_text(Range range) {

@@ -18,15 +18,18 @@ std::string read_file(const std::filesystem::path& file) {
 void write_file_atomically(const std::filesystem::path& file, std::string_view content) {
   std::filesystem::path part = file;
   part += ".part";
-  {
-    std::ofstream stream{part, std::ios::binary | std::ios::trunc};
-    stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-    stream.flush();
-    if (!stream) throw FileError(file.string() + ": cannot be written: " + std::strerror(errno));
-  }
+  const auto fail = [&](const std::string& reason) {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw FileError(file.string() + ": cannot be written: " + reason);
+  };
+  std::ofstream stream{part, std::ios::binary | std::ios::trunc};
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (!stream) fail(std::strerror(errno));
   std::error_code error;
   std::filesystem::rename(part, file, error);
-  if (error) throw FileError(file.string() + ": cannot be written: " + error.message());
+  if (error) fail(error.message());
 }
 
 }  // namespace tandem
