@@ -109,7 +109,8 @@ nlohmann::ordered_json report_of(const LocalizeOptions& options, const Truth& tr
       errors_of(result.poses, truth.poses, options.truth_offset_s, parse_windows(options.exclude));
   std::vector<TimedPose> poses;
   for (const EstimatedPose& estimate : result.poses) poses.push_back(estimate.pose);
-  const RelationErrors relations = relation_errors_of(sorted_by_time(std::move(poses)), truth.relations, options.truth_offset_s);
+  const RelationErrors relations =
+      relation_errors_of(sorted_by_time(std::move(poses)), truth.relations, options.truth_offset_s);
   const auto not_ok = std::count_if(result.poses.begin(), result.poses.end(), [](const EstimatedPose& estimate) {
     return estimate.status != LocalizationStatus::Ok;
   });

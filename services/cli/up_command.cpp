@@ -106,6 +106,8 @@ void simulate(const UpOptions& options) {
   run.robot_domain = domains[0];
   run.laptop_domain = domains[1];
   run.link_domain = domains[2];
+  // They belong to the first run on this machine: two that start together would both find them free.
+  run.well_known_ports = run.robot_domain == bus::DomainLease::kFirstForDemos;
 
   const simulator::Place place{load_map(run.map)};
   const auto scene = simulator::scene_of(

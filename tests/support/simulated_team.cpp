@@ -48,8 +48,7 @@ SimulatedTeam::SimulatedTeam(const TeamOptions& options) : options_(options) {
   plan.session_code = "test";
   plan.limit_s = 600.0;
   const simulator::Place place{load_map(run.map)};
-  plan.robot_start =
-      simulator::scene_of(scenario, place, simulator::MapChoice::OwnMap, options.seed).robot_start;
+  plan.robot_start = simulator::scene_of(scenario, place, simulator::MapChoice::OwnMap, options.seed).robot_start;
 
   const fs::path programs = fs::path{TANDEM_BINARY_DIR} / "bin";
   auto robot_services = cli::services_of("robot");
@@ -80,14 +79,16 @@ SimulatedTeam::~SimulatedTeam() {
 }
 
 bool SimulatedTeam::run_until(Duration timeout, const std::function<bool()>& condition) {
-  return bus::wait_until(*robot_bus_, timeout, [&] {
-           episode_->step();
-           for (auto& truth : truth_->take()) newest_truth_ = std::move(truth.message);
-           for (const auto& end : supervisor_.ended()) {
-             if (std::erase(processes_, end.name) > 0) unexpected_end_ += end.name + ": " + end.last_log + "\n";
-           }
-           return !unexpected_end_.empty() || condition();
-         }) &&
+  return bus::wait_until(*robot_bus_, timeout,
+                         [&] {
+                           episode_->step();
+                           for (auto& truth : truth_->take()) newest_truth_ = std::move(truth.message);
+                           for (const auto& end : supervisor_.ended()) {
+                             if (std::erase(processes_, end.name) > 0)
+                               unexpected_end_ += end.name + ": " + end.last_log + "\n";
+                           }
+                           return !unexpected_end_.empty() || condition();
+                         }) &&
          unexpected_end_.empty();
 }
 

@@ -18,8 +18,9 @@ TEST(Search, APersonAndARobotFindTheObjectTogether) {
   fs::create_directories(folder);
   const std::string tandem = TANDEM_BINARY_DIR "/bin/tandem";
   const std::string json = (folder / "out.json").string();
-  const std::string command = tandem + " up --simulate quick --headless --seed 1 --config " TANDEM_SOURCE_DIR
-                                       "/config --output " + folder.string() + " --json " + json;
+  const std::string command =
+      tandem + " up --simulate quick --headless --seed 1 --config " TANDEM_SOURCE_DIR "/config --output " +
+      folder.string() + " --json " + json;
 
   ASSERT_EQ(std::system(command.c_str()), 0);
 
@@ -40,8 +41,10 @@ TEST(Search, ALimitThatIsTooShortIsAFailureThatSaysSo) {
   fs::remove_all(folder);
   fs::create_directories(folder);
   const std::string json = (folder / "out.json").string();
-  const std::string command = TANDEM_BINARY_DIR "/bin/tandem up --simulate brl --headless --limit-s 2 --config "
-                              TANDEM_SOURCE_DIR "/config --output " + folder.string() + " --json " + json;
+  const std::string command = TANDEM_BINARY_DIR
+                              "/bin/tandem up --simulate brl --headless --limit-s 2 --config " TANDEM_SOURCE_DIR
+                              "/config --output " +
+                              folder.string() + " --json " + json;
 
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
   const auto result = nlohmann::json::parse(read_file(json));

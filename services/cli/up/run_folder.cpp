@@ -48,10 +48,11 @@ RunFolder make_run_folder(const SimulatedRun& run) {
   made.logs = run.folder / "logs";
   made.participant_link = fs::absolute(run.folder / "participant.link");
   made.observer_link = fs::absolute(run.folder / "observer.link");
-  made.base_port = free_tcp_port(kLoopback, 8101);
-  const int laser_port = free_tcp_port(kLoopback, 10940);
-  const int camera_port = free_tcp_port(kLoopback, 8090);
-  made.gateway_port = free_tcp_port(kLoopback, 8443);
+  const auto port = [&](int well_known) { return free_tcp_port(kLoopback, run.well_known_ports ? well_known : 0); };
+  made.base_port = port(8101);
+  const int laser_port = port(10940);
+  const int camera_port = port(8090);
+  made.gateway_port = port(8443);
   fs::create_directories(made.logs);
 
   const std::string seed = std::to_string(run.seed);

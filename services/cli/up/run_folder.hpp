@@ -17,6 +17,7 @@ struct SimulatedRun {
   std::filesystem::path map;          ///< map_server YAML file: the scenario's, or another
   bool other_map = false;             ///< `map` is not the scenario's own
   std::uint64_t seed = 1;
+  bool well_known_ports = false;  ///< prefer 8101, 10940, 8090 and 8443; else any free ones
   bool play = false;  ///< a real phone instead of the simulated person
   int robot_domain = 0;
   int laptop_domain = 0;
