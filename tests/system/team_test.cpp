@@ -148,15 +148,14 @@ TEST(Team, TwoRobotsAndTwoPeopleOnOneLinkDoNotMix) {
   Ear ear2{team2.laptop_bus()};
 
   bool both_run = true;
-  EXPECT_TRUE(team1.run_until(seconds{180},
-                              [&] {
-                                both_run = team2.run_until(seconds{1}, [] { return true; });
-                                ear1.listen();
-                                ear2.listen();
-                                return !both_run || is_driving(team1) && is_driving(team2) &&
-                                                        ear1.heard().size() >= 2 && ear2.heard().size() >= 2;
-                              }))
-      << team1.last_words() << team2.last_words();
+  const auto both_drive_and_are_heard = [&] {
+    both_run = team2.run_until(seconds{1}, [] { return true; });
+    ear1.listen();
+    ear2.listen();
+    const bool heard = ear1.heard().size() >= 2 && ear2.heard().size() >= 2;
+    return !both_run || (heard && is_driving(team1) && is_driving(team2));
+  };
+  EXPECT_TRUE(team1.run_until(seconds{180}, both_drive_and_are_heard)) << team1.last_words() << team2.last_words();
   ASSERT_TRUE(both_run) << team2.last_words();
   EXPECT_EQ(ear1.heard(), (std::set<std::string>{"person1", "robot1"}));
   EXPECT_EQ(ear2.heard(), (std::set<std::string>{"person2", "robot2"}));
