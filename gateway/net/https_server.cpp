@@ -8,87 +8,23 @@
 #include <stdexcept>
 #include <thread>
 
-#include "gateway/net/boost_net.hpp"
-#include "gateway/net/out_queue.hpp"
+#include "gateway/net/http_messages.hpp"
+#include "gateway/net/open_socket.hpp"
+#include "gateway/net/page_files.hpp"
 
 namespace tandem::net {
 namespace {
 
-using Request = http::request<http::string_body>;
-using Response = http::response<http::string_body>;
-
-constexpr const char* kContentPolicy =
-    "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'; "
-    "manifest-src 'self'; worker-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 constexpr std::uint16_t kTooSlow = 4008;
 constexpr std::uint16_t kGoingAway = 1001;
 
-std::string text_of(beast::string_view view) {
-  return {view.data(), view.size()};
-}
-
-HttpRequest plain(const Request& request, const std::string& address) {
-  return {.method = text_of(request.method_string()),
-          .target = text_of(request.target()),
-          .host = text_of(request[http::field::host]),
-          .origin = text_of(request[http::field::origin]),
-          .cookie = text_of(request[http::field::cookie]),
-          .content_type = text_of(request[http::field::content_type]),
-          .body = request.body(),
-          .remote_address = address};
-}
-
-Response response_to(const Request& request, const HttpResponse& answer) {
-  Response response{static_cast<http::status>(answer.status), request.version()};
-  response.set(http::field::content_type, answer.content_type);
-  response.set(http::field::cache_control, "no-store");
-  response.set("Content-Security-Policy", kContentPolicy);
-  response.set("X-Content-Type-Options", "nosniff");
-  response.set("Referrer-Policy", "no-referrer");
-  response.set("Permissions-Policy", "geolocation=(), camera=(), microphone=(), screen-wake-lock=(self)");
-  response.set("Cross-Origin-Opener-Policy", "same-origin");
-  if (!answer.set_cookie.empty()) response.set(http::field::set_cookie, answer.set_cookie);
-  response.keep_alive(request.keep_alive() && answer.status < 400);
-  response.body() = answer.body;
-  response.prepare_payload();
-  return response;
-}
-
-HttpResponse plain_error(int status, const std::string& text) {
-  return {status, "text/plain", text + "\n", ""};
-}
-
 }  // namespace
-
-/// A WebSocket that is open, and what waits to be sent on it. Lives on the server's thread.
-struct Socket {
-  Socket(WebSocket stream, const ServerLimits& limits)
-      : web_socket(std::move(stream)),
-        queue(limits.queued_messages, limits.queued_bytes),
-        wake(web_socket.get_executor(), asio::steady_timer::time_point::max()) {}
-
-  void ask_to_close(std::uint16_t code, const std::string& reason) {
-    if (close_code == 0) {
-      close_code = code;
-      close_reason = reason.substr(0, 120);
-    }
-    wake.cancel();
-  }
-
-  WebSocket web_socket;
-  OutQueue queue;
-  asio::steady_timer wake;  ///< cancelled when there is something to write
-  std::uint16_t close_code = 0;
-  std::string close_reason;
-  std::string session;
-};
 
 class HttpsServer::Server {
  public:
   Server(const Options& options, const Certificate& certificate, const std::vector<Asset>& assets,
          Gatekeeper& gatekeeper)
-      : options_(options), gatekeeper_(gatekeeper), tls_(ssl::context::tls_server), acceptor_(io_) {
-    for (const auto& asset : assets) assets_.emplace(asset.path, &asset);
+      : options_(options), gatekeeper_(gatekeeper), pages_(assets), tls_(ssl::context::tls_server), acceptor_(io_) {
     set_up_tls(certificate);
     listen();
     asio::co_spawn(io_, accept_all(), asio::detached);
@@ -225,7 +161,7 @@ class HttpsServer::Server {
           response = response_to(parser.get(), plain_error(admission.status, "refused"));
         } else {
           response = response_to(parser.get(), answer_to(request));
-          if (immutable(request.target)) {
+          if (pages_.is_immutable(request.target)) {
             response.set(http::field::cache_control, "public, max-age=31536000, immutable");
           }
         }
@@ -248,30 +184,19 @@ class HttpsServer::Server {
     return gatekeeper_.admit(request);
   }
 
-  const Asset* asset_at(std::string target) const {
-    if (const auto query = target.find('?'); query != std::string::npos) target.erase(query);
-    if (target == "/" || target == "/p") target = "/index.html";
-    const auto found = assets_.find(target);
-    return found == assets_.end() ? nullptr : found->second;
-  }
-
-  bool immutable(const std::string& target) const {
-    const Asset* asset = asset_at(target);
-    return asset != nullptr && asset->immutable;
-  }
-
   HttpResponse answer_to(const HttpRequest& request) {
     if (auto refusal = gatekeeper_.refusal(request)) return *refusal;
     if (request.method == "POST") return gatekeeper_.post(request);
     if (request.method != "GET" && request.method != "HEAD") return plain_error(405, "only GET and POST");
-    const Asset* asset = asset_at(request.target);
+    const Asset* asset = pages_.find(request.target);
     if (asset == nullptr) return plain_error(404, "there is no such page");
     return {200, std::string{asset->content_type}, std::string{request.method == "GET" ? asset->content : ""}, ""};
   }
 
   asio::awaitable<void> run_socket(TlsStream stream, Request request, std::string session) {
     beast::get_lowest_layer(stream).expires_never();
-    const auto socket = std::make_shared<Socket>(WebSocket{std::move(stream)}, options_.limits);  // reader and writer
+    const auto socket =
+        std::make_shared<OpenSocket>(WebSocket{std::move(stream)}, options_.limits);  // reader and writer
     socket->session = std::move(session);
     auto& web_socket = socket->web_socket;
     web_socket.set_option(websocket::stream_base::timeout{options_.limits.handshake, options_.limits.idle, true});
@@ -285,7 +210,7 @@ class HttpsServer::Server {
     const SocketId id = ++last_id_;
     sockets_.emplace(id, socket);
     put({SocketEvent::Kind::Opened, id, socket->session, ""});
-    asio::co_spawn(io_, write_all(socket), asio::detached);
+    asio::co_spawn(io_, write_all(socket, options_.limits.write), asio::detached);
     beast::flat_buffer buffer;
     for (;;) {
       const auto [error, count] = co_await web_socket.async_read(buffer, kAwait);
@@ -303,35 +228,6 @@ class HttpsServer::Server {
     if (ending_ && sockets_.empty()) io_.stop();
   }
 
-  /// Writes what waits, one frame at a time; ends the connection when a frame does not leave within the deadline.
-  asio::awaitable<void> write_all(std::shared_ptr<Socket> socket) {
-    asio::steady_timer deadline{io_};
-    while (socket->close_code == 0) {
-      std::optional<Frame> frame = socket->queue.take();
-      if (!frame) {
-        co_await socket->wake.async_wait(kAwait);
-        continue;
-      }
-      socket->web_socket.binary(frame->binary);
-      arm(deadline, socket);
-      const auto [error, count] = co_await socket->web_socket.async_write(asio::buffer(frame->data), kAwait);
-      deadline.cancel();
-      if (error) co_return;
-    }
-    if (!socket->web_socket.is_open()) co_return;
-    arm(deadline, socket);
-    const websocket::close_reason reason{static_cast<websocket::close_code>(socket->close_code), socket->close_reason};
-    co_await socket->web_socket.async_close(reason, kAwait);
-    deadline.cancel();
-  }
-
-  void arm(asio::steady_timer& deadline, const std::shared_ptr<Socket>& socket) {
-    deadline.expires_after(options_.limits.write);
-    deadline.async_wait([socket](error_code error) {
-      if (!error) beast::get_lowest_layer(socket->web_socket).cancel();
-    });
-  }
-
   /// False when the phone has sent more than anybody took.
   bool put(SocketEvent event) {
     const std::lock_guard lock{mutex_};
@@ -344,7 +240,7 @@ class HttpsServer::Server {
 
   Options options_;
   Gatekeeper& gatekeeper_;
-  std::map<std::string, const Asset*, std::less<>> assets_;
+  PageFiles pages_;
   std::uint16_t port_ = 0;
   std::size_t total_ = 0;
   std::map<std::string, std::size_t> count_;
@@ -356,7 +252,7 @@ class HttpsServer::Server {
   asio::io_context io_{1};  ///< what follows lives in it
   ssl::context tls_;
   tcp::acceptor acceptor_;
-  std::map<SocketId, std::shared_ptr<Socket>> sockets_;  ///< shared by the two coroutines of a socket
+  std::map<SocketId, std::shared_ptr<OpenSocket>> sockets_;  ///< shared by the two coroutines of a socket
   std::thread thread_;
 };
 
@@ -375,21 +271,21 @@ std::vector<SocketEvent> HttpsServer::take() {
 }
 
 void HttpsServer::send(SocketId socket, std::string text) {
-  server_->with_socket(socket, [text = std::move(text)](Socket& open) mutable {
+  server_->with_socket(socket, [text = std::move(text)](OpenSocket& open) mutable {
     if (!open.queue.push({false, std::move(text)})) open.ask_to_close(kTooSlow, "slow");
     open.wake.cancel();
   });
 }
 
 void HttpsServer::send_latest(SocketId socket, const std::string& topic, std::string data, bool binary) {
-  server_->with_socket(socket, [topic, binary, data = std::move(data)](Socket& open) mutable {
+  server_->with_socket(socket, [topic, binary, data = std::move(data)](OpenSocket& open) mutable {
     open.queue.set_latest(topic, {binary, std::move(data)});
     open.wake.cancel();
   });
 }
 
 void HttpsServer::close(SocketId socket, std::uint16_t code, const std::string& reason) {
-  server_->with_socket(socket, [code, reason](Socket& open) { open.ask_to_close(code, reason); });
+  server_->with_socket(socket, [code, reason](OpenSocket& open) { open.ask_to_close(code, reason); });
 }
 
 }  // namespace tandem::net
