@@ -9,7 +9,7 @@
 
 #include "services/common/file_io.hpp"
 #include "services/common/version.hpp"
-#include "services/recorder/core/mcap_reader.hpp"
+#include "services/recorder/core/mcap_copy.hpp"
 
 namespace tandem::recorder {
 

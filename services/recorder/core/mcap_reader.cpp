@@ -1,14 +1,13 @@
 #include "services/recorder/core/mcap_reader.hpp"
 
-#include <zstd.h>
-
 #include <algorithm>
 #include <tuple>
+
+#include "services/recorder/core/mcap_chunk.hpp"
 
 namespace tandem::mcap {
 namespace {
 
-constexpr std::uint64_t kLargestChunk = 256 << 20;  ///< [bytes] a larger one is taken for damage
 constexpr std::size_t kOpenChunks = 4;
 constexpr std::uint64_t kReadAhead = 1 << 20;
 
@@ -203,31 +202,12 @@ void Reader::add_message(const Entry& entry) {
 }
 
 std::optional<Bytes> Reader::unpacked(const Place& place, ByteView content) {
-  const auto chunk = parse<Chunk>(content);
-  if (!chunk || chunk->uncompressed_size > kLargestChunk) {
-    note_damage(place.offset, "a chunk is damaged");
+  auto records = records_in_chunk(content);
+  if (const auto* damage = std::get_if<ChunkDamage>(&records)) {
+    note_damage(place.offset, damage->what);
     return std::nullopt;
   }
-  Bytes records;
-  if (chunk->compression.empty()) {
-    records.assign(chunk->records.begin(), chunk->records.end());
-  } else if (chunk->compression == "zstd") {
-    records.resize(static_cast<std::size_t>(chunk->uncompressed_size));
-    const std::size_t size =
-        ZSTD_decompress(records.data(), records.size(), chunk->records.data(), chunk->records.size());
-    if (ZSTD_isError(size) || size != records.size()) {
-      note_damage(place.offset, "a chunk cannot be decompressed");
-      return std::nullopt;
-    }
-  } else {
-    note_damage(place.offset, "a chunk is compressed with \"" + chunk->compression + "\", only zstd is known");
-    return std::nullopt;
-  }
-  if (chunk->uncompressed_crc != 0 && crc32_of(records) != chunk->uncompressed_crc) {
-    note_damage(place.offset, "the checksum of a chunk is wrong");
-    return std::nullopt;
-  }
-  return records;
+  return std::get<Bytes>(std::move(records));
 }
 
 std::optional<Bytes> Reader::content_at(std::uint64_t offset, Opcode expected) {
@@ -306,18 +286,6 @@ std::vector<Metadata> Reader::metadata() {
     if (auto metadata = content ? parse<Metadata>(*content) : std::nullopt) all.push_back(std::move(*metadata));
   }
   return all;
-}
-
-bool copy(Reader& reader, Writer& writer) {
-  bool good = true;
-  for (const auto& [id, schema] : reader.schemas()) good = good && writer.write(schema);
-  for (const auto& [id, channel] : reader.channels()) good = good && writer.write(channel);
-  for (const Metadata& metadata : reader.metadata()) good = good && writer.write(metadata);
-  for (const Attachment& attachment : reader.attachments()) good = good && writer.write(attachment);
-  for (std::size_t i = 0; good && i < reader.message_count(); ++i) {
-    if (const auto message = reader.message_at(i)) good = writer.write(*message);
-  }
-  return good;
 }
 
 }  // namespace tandem::mcap

@@ -7,7 +7,6 @@
 
 #include "services/recorder/core/byte_source.hpp"
 #include "services/recorder/core/mcap_records.hpp"
-#include "services/recorder/core/mcap_writer.hpp"
 
 namespace tandem::mcap {
 
@@ -82,8 +81,5 @@ class Reader {
   std::list<OpenChunk> open_chunks_;  ///< the last used first
   Bytes message_;                     ///< of the last message_at() outside a chunk
 };
-
-/// Writes everything `reader` can read to `writer`, in order of log time.
-bool copy(Reader& reader, Writer& writer);
 
 }  // namespace tandem::mcap

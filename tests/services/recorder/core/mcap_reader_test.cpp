@@ -1,87 +1,13 @@
+#include "services/recorder/core/mcap_reader.hpp"
+
 #include <gtest/gtest.h>
 
-#include "services/recorder/core/mcap_reader.hpp"
-#include "services/recorder/core/mcap_writer.hpp"
+#include "tests/services/recorder/core/mcap_files.hpp"
 
 namespace tandem::mcap {
 namespace {
 
-Sink into(Bytes& bytes) {
-  return [&bytes](ByteView record) {
-    bytes.insert(bytes.end(), record.begin(), record.end());
-    return true;
-  };
-}
-
-ByteView bytes_of(const std::string& text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
-std::string text_of(ByteView bytes) {
-  return {bytes.begin(), bytes.end()};
-}
-
-/// Two topics, `count` messages each, one log time apart; one metadata and one attachment record.
-void fill(Writer& writer, int count) {
-  ChannelTable channels{writer};
-  writer.write(Metadata{"tandem", {{"seed", "7"}}});
-  writer.write(Attachment{0, 0, "site.toml", "application/toml", "host = \"r\"\n"});
-  for (int i = 0; i < count; ++i) {
-    const auto time = static_cast<std::uint64_t>(1000 + 10 * i);
-    const std::string number = std::to_string(i);
-    channels.write(channels.channel_of("odometry", "tandem::msg::Odometry", "struct Odometry {};"), time, time - 1,
-                   bytes_of("odometry " + number));
-    channels.write(channels.channel_of("scan", "tandem::msg::LaserScan", "struct LaserScan {};"), time + 5, time,
-                   bytes_of("scan " + number));
-  }
-}
-
-Bytes live_file(int count, bool closed = true) {
-  Bytes bytes;
-  LiveWriter writer{into(bytes), {"", "test"}};
-  fill(writer, count);
-  if (closed) {
-    EXPECT_TRUE(writer.finish());
-  }
-  return bytes;
-}
-
-Bytes indexed_file(int count, std::size_t chunk_size = 200) {
-  Bytes bytes;
-  IndexedWriter writer{into(bytes), {"", "test"}, chunk_size};
-  fill(writer, count);
-  EXPECT_TRUE(writer.finish());
-  return bytes;
-}
-
-Reader opened(Bytes bytes) {
-  return Reader{memory_source(std::move(bytes)), "test.mcap"};
-}
-
-void expect_all(Reader& reader, int count) {
-  ASSERT_EQ(reader.message_count(), static_cast<std::size_t>(2 * count));
-  for (int i = 0; i < 2 * count; ++i) {
-    const auto message = reader.message_at(static_cast<std::size_t>(i));
-    ASSERT_TRUE(message);
-    EXPECT_EQ(message->log_time, static_cast<std::uint64_t>(1000 + 5 * i));
-    EXPECT_EQ(message->sequence, static_cast<std::uint32_t>(i / 2));
-    EXPECT_EQ(text_of(message->data), (i % 2 == 0 ? "odometry " : "scan ") + std::to_string(i / 2));
-  }
-}
-
-TEST(Mcap, ALiveFileThatWasClosedIsComplete) {
-  Reader reader = opened(live_file(3));
-  expect_all(reader, 3);
-  EXPECT_TRUE(reader.complete());
-}
-
-TEST(Mcap, AnIndexedFileGivesTheSameMessages) {
-  Reader reader = opened(indexed_file(20));
-  expect_all(reader, 20);
-  EXPECT_TRUE(reader.complete());
-}
-
-TEST(Mcap, SchemasMetadataAndAttachmentsComeBack) {
+TEST(McapReader, SchemasMetadataAndAttachmentsComeBack) {
   for (const Bytes& bytes : {live_file(1), indexed_file(1)}) {
     Reader reader = opened(bytes);
     const Channel* scan = reader.channel_of("scan");
@@ -96,20 +22,7 @@ TEST(Mcap, SchemasMetadataAndAttachmentsComeBack) {
   }
 }
 
-TEST(Mcap, CompactionKeepsEverything) {
-  Reader live = opened(live_file(20, false));
-  Bytes bytes;
-  IndexedWriter writer{into(bytes), {"", "test"}, 200};
-  ASSERT_TRUE(copy(live, writer));
-  ASSERT_TRUE(writer.finish());
-  Reader reader = opened(bytes);
-  expect_all(reader, 20);
-  EXPECT_EQ(reader.metadata().size(), 1U);
-  EXPECT_EQ(reader.attachments().size(), 1U);
-  EXPECT_TRUE(reader.complete());
-}
-
-TEST(Mcap, MessagesComeInOrderOfLogTimeAndOfWritingWhereThatIsEqual) {
+TEST(McapReader, MessagesComeInOrderOfLogTimeAndOfWritingWhereThatIsEqual) {
   Bytes bytes;
   IndexedWriter writer{into(bytes), {"", "test"}, 100};
   ChannelTable channels{writer};
@@ -124,7 +37,7 @@ TEST(Mcap, MessagesComeInOrderOfLogTimeAndOfWritingWhereThatIsEqual) {
   EXPECT_EQ(order, "abcd");
 }
 
-TEST(Mcap, ARecordingCutShortOpensUpToTheLastWholeRecord) {
+TEST(McapReader, ARecordingCutShortOpensUpToTheLastWholeRecord) {
   const Bytes whole = live_file(3, false);
   std::vector<std::size_t> message_ends;  // where each message's record ends
   {
@@ -149,7 +62,7 @@ TEST(Mcap, ARecordingCutShortOpensUpToTheLastWholeRecord) {
   }
 }
 
-TEST(Mcap, AnIndexedFileCutShortOpensUpToTheLastWholeChunk) {
+TEST(McapReader, AnIndexedFileCutShortOpensUpToTheLastWholeChunk) {
   const Bytes whole = indexed_file(10);
   for (std::size_t length = 0; length < whole.size(); ++length) {
     Reader reader = opened({whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(length)});
@@ -159,7 +72,7 @@ TEST(Mcap, AnIndexedFileCutShortOpensUpToTheLastWholeChunk) {
   }
 }
 
-TEST(Mcap, AFlippedBitIsReportedWithItsPlaceAndTheRestIsRead) {
+TEST(McapReader, AFlippedBitIsReportedWithItsPlaceAndTheRestIsRead) {
   for (const Bytes& whole : {indexed_file(10), live_file(10)}) {
     std::size_t unnoticed = 0;
     for (std::size_t at = sizeof(kMagic); at < whole.size(); ++at) {
@@ -175,7 +88,7 @@ TEST(Mcap, AFlippedBitIsReportedWithItsPlaceAndTheRestIsRead) {
   }
 }
 
-TEST(Mcap, ADamagedChunkCostsItsOwnMessagesOnly) {
+TEST(McapReader, ADamagedChunkCostsItsOwnMessagesOnly) {
   Bytes bytes = indexed_file(10);
   bytes[bytes.size() / 3] ^= 0x01;
   Reader reader = opened(bytes);
@@ -186,7 +99,7 @@ TEST(Mcap, ADamagedChunkCostsItsOwnMessagesOnly) {
   EXPECT_EQ(reader.damages().size(), 1U);
 }
 
-TEST(Mcap, WhatIsNoMcapFileIsRefusedByName) {
+TEST(McapReader, WhatIsNoMcapFileIsRefusedByName) {
   const std::string text = "ODOM 0 0 0 is a text";
   EXPECT_THROW(
       {
@@ -198,22 +111,6 @@ TEST(Mcap, WhatIsNoMcapFileIsRefusedByName) {
         }
       },
       McapError);
-}
-
-TEST(Mcap, AFullDiskEndsTheFileAtTheLastWholeRecord) {
-  Bytes bytes;
-  LiveWriter writer{[&bytes](ByteView record) {
-                      if (bytes.size() + record.size() > 400) return false;
-                      bytes.insert(bytes.end(), record.begin(), record.end());
-                      return true;
-                    },
-                    {"", "test"}};
-  fill(writer, 100);
-  EXPECT_FALSE(writer.finish());
-  Reader reader = opened(bytes);
-  EXPECT_GT(reader.message_count(), 0U);
-  EXPECT_FALSE(reader.complete());
-  EXPECT_TRUE(reader.damages().empty());
 }
 
 }  // namespace
