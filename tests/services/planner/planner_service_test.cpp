@@ -173,7 +173,7 @@ TEST_F(PlannerServiceTest, ADetectionEndsThePlanning) {
       step_until([&] { return detections.outcome(detection.id()).state == bus::EventOutcome::State::Applied; }));
 }
 
-TEST(PlannerProcess, ASecondPlanner) {
+TEST(PlannerProcess, ASecondPlannerIsToldWhoIsActive) {
   const test::DomainLease domains{1};
   const SiteConfig site = site_in(domains[0]);
   bus::Bus first(bus::host_domain(site, "planner"));

@@ -9,6 +9,13 @@
 
 namespace tandem {
 
+/// The area that can be walked to from there.
+inline SearchAreaOptions start_at(double x, double y) {
+  SearchAreaOptions options;
+  options.start_in_map = {x, y};
+  return options;
+}
+
 inline Searcher test_robot() {
   Searcher robot;
   robot.id = "robot";

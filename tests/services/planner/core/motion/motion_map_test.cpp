@@ -1,8 +1,7 @@
+#include "services/planner/core/motion/motion_map.hpp"
+
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "services/planner/core/motion/action_set.hpp"
 #include "tests/services/planner/support/room.hpp"
 
 namespace tandem {
@@ -67,51 +66,6 @@ TEST(MotionMap, ABlockedPlaceIsAvoided) {
 
   ASSERT_GE(way.size(), 3U);
   for (std::size_t i = 1; i < way.size(); ++i) EXPECT_GT(motion.clearance_m(way[i - 1], way[i]), 0.0);
-}
-
-TEST(TimedPath, ARobotTurnsOnTheSpotAndAPersonDoesNot) {
-  Searcher robot;
-  robot.speed_mps = 0.5;
-  robot.turn_rate_radps = std::numbers::pi / 4.0;
-  robot.field_of_view_rad = 1.0;
-  const std::vector<Vector2d> way{{0, 0}, {2, 0}, {2, 1}};
-
-  EXPECT_NEAR(timed_path(way, robot, 0.0).duration_s(), 4.0 + 2.0 + 2.0, 1e-9);  // 2 m, quarter turn, 1 m
-  robot.field_of_view_rad = 2.0 * std::numbers::pi;
-  EXPECT_NEAR(timed_path(way, robot, 0.0).duration_s(), 6.0, 1e-9);
-}
-
-TEST(TimedPath, SaysWhereOneIs) {
-  Searcher person;
-  person.speed_mps = 1.0;
-  const TimedPath path = timed_path({{0, 0}, {2, 0}, {2, 1}}, person, 0.0);
-
-  EXPECT_EQ(pose_at(path, 0.5), (Pose2{0.5, 0.0, 0.0}));
-  EXPECT_NEAR(pose_at(path, 2.5).y, 0.5, 1e-12);
-  EXPECT_NEAR(pose_at(path, 2.5).heading, std::numbers::pi / 2.0, 1e-12);
-  EXPECT_NEAR(pose_at(path, 99.0).y, 1.0, 1e-12);
-}
-
-TEST(CoveringLookouts, TogetherSeeNearlyEverything) {
-  const OccupancyGrid map = room({"################", "#......#.......#", "#......#.......#", "#..............#",
-                                  "#......#.......#", "#......#.......#", "################"},
-                                 1.0);
-  SearchAreaOptions options;
-  options.start_in_map = {2, 3};
-  const SearchArea area(map, options);
-  Observability sight(map, area, 4.0);
-  const MotionMap motion(map, {});
-  const auto lookouts = covering_lookouts(sight, motion, *motion.nearest_node({2, 3}, 1.0), 3.0, 0.5);
-
-  std::vector<bool> seen(static_cast<std::size_t>(area.size()), false);
-  for (const int node : lookouts) {
-    for (const int cell : sight.in_sight_of(*area.nearest_cell(motion.point(node), 0.5))) {
-      seen[static_cast<std::size_t>(cell)] = true;
-    }
-  }
-  EXPECT_GE(lookouts.size(), 4U);
-  EXPECT_LE(lookouts.size(), 12U);
-  EXPECT_GE(std::count(seen.begin(), seen.end(), true), 0.97 * area.size());
 }
 
 }  // namespace

@@ -1,35 +1,12 @@
-// The property tests T1-T5 (and T6-T8) of docs/srs_model.md.
+// The laws T2 to T8 of docs/srs_model.md.
+#include "services/planner/core/srs/reward_account.hpp"
+
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "services/planner/core/srs/reward_account.hpp"
-#include "services/planner/core/srs/search_sources.hpp"
+#include "tests/services/planner/support/sources.hpp"
 
 namespace tandem {
 namespace {
-
-using Eigen::Vector2d;
-
-RewardSource disc_source(const std::string& id, const Vector2d& centre, double radius_m, double rate_per_s) {
-  RewardSource source;
-  source.id = id;
-  source.boundary = Disc{centre, radius_m};
-  source.rate_per_s = rate_per_s;
-  return source;
-}
-
-AgentMove move(const std::string& agent, const Vector2d& from, const Vector2d& to) {
-  return {agent, from, to};
-}
-
-TEST(RewardSource, T1PaysTheInnerRateOnItsBoundaryAndFadesOutside) {
-  RewardSource source = disc_source("s", {0, 0}, 2.0, 3.0);
-  source.outer_rate_per_s = -1.0;
-
-  EXPECT_DOUBLE_EQ(rate_at(source, {2, 0}), 3.0);
-  EXPECT_NEAR(rate_at(source, {5, 0}), -0.049787, 1e-6);  // -e^-3
-}
 
 TEST(RewardAccount, T2PaysForTheTimeInsideUntilThePoolIsEmpty) {
   RewardWorld world{{disc_source("s", {0, 0}, 2.0, 3.0)}, {}};
@@ -116,52 +93,6 @@ TEST(RewardAccount, T8CodependentPoolsEmptyTogether) {
 
   EXPECT_NEAR(account.advance({move("a", {0, 0}, {0, 0})}, 1.0)[0], 10.0, 1e-12);
   EXPECT_NEAR(account.left(1), 6.0, 1e-12);
-}
-
-TEST(RewardAccount, ASearchCellPaysTheProbabilityOfItsDetection) {
-  const RewardWorld world = search_world({search_cell_source("cell", Disc{{0, 0}, 3.0}, 0.25, 0.5)});
-  RewardAccount search{world};
-
-  const auto paid = search.advance({move("a", {0, 0}, {0, 0}), move("b", {1, 0}, {1, 0})}, 2.0);
-  EXPECT_NEAR(paid[0] + paid[1], 0.25 * (1.0 - std::exp(-2.0)), 1e-12);  // two agents, 0.5 per s, 2 s
-  EXPECT_NEAR(paid[0], paid[1], 1e-12);
-}
-
-TEST(RewardAccount, NothingPaysOnceTheObjectIsFound) {
-  const RewardWorld world = search_world({search_cell_source("cell", Disc{{0, 0}, 3.0}, 0.25, 0.5)});
-  RewardAccount account{world};
-  account.consume(*index_of(world, kFoundId));
-
-  EXPECT_DOUBLE_EQ(account.advance({move("a", {0, 0}, {0, 0})}, 2.0)[0], 0.0);
-}
-
-TEST(RewardAccount, APersonAtTheirGoalStopsSearchingButTheRobotDoesNot) {
-  RewardWorld world = search_world({search_cell_source("cell", Disc{{0, 0}, 3.0}, 0.25, 0.5)});
-  world.sources.push_back(goal_source("person", {0, 0}, 0.5));
-  world.relations.push_back({RelationKind::Soft, "cell", "goal_person", 1.0, {"person"}});
-  RewardAccount account{world};
-  account.consume(*index_of(world, "goal_person"));
-
-  const auto paid = account.advance({move("person", {0, 0}, {0, 0}), move("robot", {1, 0}, {1, 0})}, 1.0);
-  EXPECT_DOUBLE_EQ(paid[0], 0.0);
-  EXPECT_GT(paid[1], 0.0);
-}
-
-TEST(RewardWorld, RefusesACircleOfStrictRelations) {
-  RewardWorld world{{disc_source("a", {0, 0}, 1, 1), disc_source("b", {0, 0}, 1, 1)}, {}};
-  world.relations.push_back({RelationKind::Strict, "a", "b", 1.0, {}});
-  EXPECT_FALSE(problem_of(world));
-  world.relations.push_back({RelationKind::Strict, "b", "a", 1.0, {}});
-  EXPECT_TRUE(problem_of(world));
-}
-
-TEST(Boundary, APolygonIsClosed) {
-  const Boundary square = Polygon{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
-
-  EXPECT_TRUE(contains(square, {2, 1}));
-  EXPECT_DOUBLE_EQ(signed_distance(square, {1, 1}), -1.0);
-  EXPECT_DOUBLE_EQ(signed_distance(square, {5, 6}), 5.0);  // 3-4-5 from the corner (2, 2)
-  EXPECT_EQ(crossings(square, {-1, 1}, {3, 1}), (std::vector<double>{0.25, 0.75}));
 }
 
 }  // namespace
