@@ -34,7 +34,10 @@ void Screen::draw(const EpisodeView& view) {
   const int rows = size.ws_row > 0 ? size.ws_row : 24;
   const auto lines = lines_of(view, std::min(columns, 100), std::max(0, rows - 10));
   if (drawn_lines_ > 0) std::printf("\x1b[%dA", drawn_lines_);
+  // A line too long for the terminal is cut: wrapped, it would shift everything the next drawing goes over.
+  std::printf("\x1b[?7l");
   for (const auto& line : lines) std::printf("\x1b[2K%s\n", line.c_str());
+  std::printf("\x1b[?7h");
   drawn_lines_ = static_cast<int>(lines.size());
   std::fflush(stdout);
 }

@@ -43,7 +43,7 @@ export function pictureOfBelief(grid: BeliefGrid): HTMLCanvasElement {
       const row = grid.height - 1 - Math.floor(cell / grid.width);
       const at = 4 * (row * grid.width + (cell % grid.width));
       data.set(kHeat, at);
-      data[at + 3] = Math.round(150 * (value / 254) ** 0.7);
+      data[at + 3] = Math.round(110 * (value / 254) ** 0.7);
     }
   });
 }
