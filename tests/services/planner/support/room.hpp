@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "services/mapping/core/occupancy_grid.hpp"
+#include "tests/support/ascii_map.hpp"
 
 namespace tandem {
 
@@ -11,18 +11,14 @@ namespace tandem {
 /// of 0.1 m. The lower left corner is the map's origin.
 inline OccupancyGrid room(const std::vector<std::string>& drawing, double sign_m = 0.5) {
   constexpr double kResolution_m = 0.1;
-  const int cells = static_cast<int>(sign_m / kResolution_m + 0.5);
-  const int rows = static_cast<int>(drawing.size());
-  const int columns = static_cast<int>(drawing.front().size());
-  OccupancyGrid grid(columns * cells, rows * cells, kResolution_m, {}, CellState::Free);
-  for (int row = 0; row < grid.height(); ++row) {
-    for (int column = 0; column < grid.width(); ++column) {
-      const char sign =
-          drawing[static_cast<std::size_t>(rows - 1 - row / cells)][static_cast<std::size_t>(column / cells)];
-      if (sign == '#') grid.set({column, row}, CellState::Occupied);
-    }
+  const auto cells = static_cast<std::size_t>(sign_m / kResolution_m + 0.5);
+  std::vector<std::string> rows;
+  for (const std::string& line : drawing) {
+    std::string row;
+    for (const char sign : line) row.append(cells, sign);
+    rows.insert(rows.end(), cells, row);
   }
-  return grid;
+  return test::ascii_map(rows, kResolution_m);
 }
 
 /// An empty room of the given inner size [m] within walls of 0.5 m.

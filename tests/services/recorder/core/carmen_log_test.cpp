@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
 
 #include "services/common/file_io.hpp"
+#include "tests/support/test_data.hpp"
 
 namespace tandem::carmen {
 namespace {
@@ -96,11 +96,6 @@ TEST(CarmenLog, ABadLineIsNamedByFileAndLine) {
   EXPECT_EQ(error_of(""), "a.log: holds no scan (FLASER or S line)");
 }
 
-std::filesystem::path data_folder() {
-  const char* given = std::getenv("TANDEM_DATA");
-  return given != nullptr ? given : std::filesystem::path{TANDEM_SOURCE_DIR} / "../shared/data";
-}
-
 /// The odometry at each scan.
 std::vector<Odometry> at_scans(const std::vector<Event>& events) {
   std::vector<Odometry> all;
@@ -112,17 +107,12 @@ std::vector<Odometry> at_scans(const std::vector<Event>& events) {
 
 class CarmenLogData : public testing::TestWithParam<std::string> {
  protected:
-  void SetUp() override {
-    if (std::filesystem::exists(data_folder() / "fr079")) return;
-    const char* required = std::getenv("TANDEM_REQUIRE_DATA");
-    if (required != nullptr && std::string{required} == "1") FAIL() << "no data in " << data_folder();
-    GTEST_SKIP() << "no data in " << data_folder() << "; see docs/data.md";
-  }
+  void SetUp() override { TANDEM_NEEDS_DATA(GetParam()) }
 };
 
 TEST_P(CarmenLogData, TheCorrectedLogAndThePublishedRawOdometryAgree) {
   const std::string name = GetParam();
-  const std::string folder = (data_folder() / name).string();
+  const std::string folder = (test::data_folder() / name).string();
   const auto corrected = parse_log(read_log_file(folder + "/" + name + ".corrected.log.gz"), "A");
   const auto raw = parse_log(read_log_file(folder + "/" + name + ".odomscan.txt.gz"), "B");
   const auto a = at_scans(corrected);

@@ -2,12 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "services/common/config.hpp"
 #include "services/common/file_io.hpp"
 #include "services/mapping/core/map_file.hpp"
 #include "tests/support/ascii_map.hpp"
+#include "tests/support/test_data.hpp"
 
 namespace tandem::simulator {
 namespace {
@@ -143,15 +142,8 @@ TEST(Scenario, EveryShippedScenarioHasASceneOnItsMap) {
 }
 
 TEST(Scenario, BrlAlsoPlaysOnTheRealPlace) {
-  const char* data = std::getenv("TANDEM_DATA");
-  const std::filesystem::path root =
-      data != nullptr ? std::filesystem::path{data} : std::filesystem::path{TANDEM_SOURCE_DIR} / "../shared/data";
-  const auto map = root / "maps" / "brl29a.yaml";
-  if (!std::filesystem::exists(map)) {
-    ASSERT_EQ(std::getenv("TANDEM_REQUIRE_DATA"), nullptr) << map << " is missing";
-    GTEST_SKIP() << map << " is missing";
-  }
-  const Place place{load_map(map)};
+  TANDEM_NEEDS_DATA("maps/brl29a.yaml")
+  const Place place{load_map(test::data_folder() / "maps" / "brl29a.yaml")};
   const Scene scene = scene_of(load_scenario(kConfig / "scenarios/brl.json"), place, MapChoice::OtherMap, 1);
   EXPECT_TRUE(place.has_room(scene.robot_start.position(), kRobotRoom_m));
   EXPECT_GT((scene.tokens_in_map[0] - scene.robot_start.position()).norm(), 9.8);

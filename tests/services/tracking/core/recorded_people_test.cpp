@@ -1,7 +1,6 @@
 // Real legs: the annotated recordings of A. Leigh et al., ICRA 2015 (docs/data.md).
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <limits>
@@ -9,6 +8,7 @@
 
 #include "services/recorder/core/carmen_log.hpp"
 #include "services/tracking/core/leg_detection.hpp"
+#include "tests/support/test_data.hpp"
 
 namespace tandem::tracking {
 namespace {
@@ -17,14 +17,6 @@ struct AnnotatedScan {
   LaserScan scan;
   std::vector<Eigen::Vector2d> legs_in_laser;
 };
-
-std::optional<std::filesystem::path> data_folder() {
-  const char* named = std::getenv("TANDEM_DATA");
-  const std::filesystem::path folder =
-      named != nullptr ? std::filesystem::path{named} : std::filesystem::path{TANDEM_SOURCE_DIR} / "../shared/data";
-  if (std::filesystem::exists(folder / "people")) return folder / "people";
-  return std::nullopt;
-}
 
 std::vector<AnnotatedScan> read_people(const std::filesystem::path& file) {
   std::vector<AnnotatedScan> scans;
@@ -58,17 +50,12 @@ std::vector<AnnotatedScan> read_people(const std::filesystem::path& file) {
 }
 
 TEST(RecordedPeople, FindsMostAnnotatedLegsWithoutAMap) {
-  const auto folder = data_folder();
-  if (!folder) {
-    const char* required = std::getenv("TANDEM_REQUIRE_DATA");
-    ASSERT_FALSE(required != nullptr && std::string{required} == "1") << "the recorded people are not there";
-    GTEST_SKIP() << "the recorded people are not there: set TANDEM_DATA (docs/data.md)";
-  }
+  TANDEM_NEEDS_DATA("people")
   const TrackingConfig config;
   int annotated = 0;
   int found = 0;
   for (const std::string name : {"train_positive_1", "train_positive_2", "train_positive_6"}) {
-    for (const auto& [scan, legs_in_laser] : read_people(*folder / (name + ".txt.gz"))) {
+    for (const auto& [scan, legs_in_laser] : read_people(test::data_folder() / "people" / (name + ".txt.gz"))) {
       const auto legs = find_legs(config, scan, {}, {}, nullptr);
       for (const auto& leg : legs_in_laser) {
         ++annotated;
@@ -85,12 +72,11 @@ TEST(RecordedPeople, FindsMostAnnotatedLegsWithoutAMap) {
 
 /// Known weakness: without a map, furniture has legs too. docs/tracking.md says what follows from it.
 TEST(RecordedPeople, WithoutAMapClutterIsTakenForPeople) {
-  const auto folder = data_folder();
-  if (!folder) GTEST_SKIP() << "the recorded people are not there: set TANDEM_DATA (docs/data.md)";
+  TANDEM_NEEDS_DATA("people")
   const TrackingConfig config;
   double pairs = 0.0;
   double scans = 0.0;
-  for (const auto& annotated : read_people(*folder / "train_negative_2.txt.gz")) {
+  for (const auto& annotated : read_people(test::data_folder() / "people" / "train_negative_2.txt.gz")) {
     scans += 1.0;
     for (const auto& sighting : pair_legs(config, find_legs(config, annotated.scan, {}, {}, nullptr))) {
       if (sighting.pair) pairs += 1.0;
