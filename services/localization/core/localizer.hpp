@@ -61,7 +61,6 @@ class Localizer {
 
   /// Does it follow a pose, right or wrong?
   [[nodiscard]] bool is_started() const { return !particles_.empty(); }
-  [[nodiscard]] std::size_t particle_count() const { return particles_.size(); }
 
  private:
   struct Fit {

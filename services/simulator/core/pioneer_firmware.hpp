@@ -50,7 +50,6 @@ class PioneerFirmware {
   void power_cycle(Time now);
 
   [[nodiscard]] bool is_open() const { return open_; }
-  [[nodiscard]] bool motors_on() const { return motors_on_; }
   [[nodiscard]] bool sonar_on() const { return sonar_on_; }
   [[nodiscard]] BodySpeed speed() const { return speed_; }
   [[nodiscard]] double half_track_m() const { return 1.0 / options_.parameters.half_track_per_m; }

@@ -50,7 +50,6 @@ class RobotBody {
   Moved move(const Pose2& wheel_motion, const Place& place, std::span<const Disc> people);
 
   [[nodiscard]] const Pose2& map_from_base() const { return map_from_base_; }
-  void put(const Pose2& map_from_base) { map_from_base_ = map_from_base; }
   /// Times that it ran into something.
   [[nodiscard]] int collisions() const { return collisions_; }
 

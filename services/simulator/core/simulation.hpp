@@ -69,7 +69,6 @@ class Simulation {
   [[nodiscard]] bool seen_by_person() const { return seen_by_person_; }
   [[nodiscard]] int collisions() const { return body_.collisions(); }
   [[nodiscard]] WheelSpeeds wheels() const { return wheels_of(firmware_.speed(), firmware_.half_track_m()); }
-  void put_robot(const Pose2& map_from_base) { body_.put(map_from_base); }
 
  private:
   [[nodiscard]] std::vector<Disc> bodies_of_people() const;
