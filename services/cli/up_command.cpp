@@ -140,6 +140,7 @@ void simulate(const UpOptions& options) {
   Screen screen{options.headless};
   SteadyClock clock;
   const Time began = clock.now();
+  const double processor_s_before = Supervisor::processor_seconds();  // of whatever built us in this process
   bool link_shown = false;
   while (!episode.is_over()) {
     laptop.wait(std::chrono::milliseconds{200});
@@ -157,7 +158,7 @@ void simulate(const UpOptions& options) {
   clock.wait_until(clock.now() + std::chrono::seconds{1}, [] { return false; });
   const double elapsed_s = to_seconds(clock.now() - began);
   supervisor.stop_all(std::chrono::seconds{20});
-  const double cores = Supervisor::processor_seconds() / elapsed_s;
+  const double cores = (Supervisor::processor_seconds() - processor_s_before) / elapsed_s;
 
   write_file_atomically(run.recording_folder / (run.recording_name + ".png"), picture_of(episode.view()));
   const auto report = report_of(episode, run, scenario, cores);
