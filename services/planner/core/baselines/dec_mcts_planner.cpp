@@ -7,19 +7,6 @@
 #include "services/planner/core/baselines/greedy_planner.hpp"
 
 namespace tandem {
-namespace {
-
-/// The member goes along `route` and then wherever `next` says, until its time is over.
-template <typename Next>
-void walk_along(TeamWalk& walk, int member, const std::vector<int>& route, const Next& next) {
-  for (const int place : route) walk.go(member, place);
-  while (walk.next_member() == member) {
-    const int place = next();
-    place < 0 ? walk.stay(member) : walk.go(member, place);
-  }
-}
-
-}  // namespace
 
 void DecMctsPlanner::begin(const SearchProblem& problem, Rng rng) {
   rng_ = rng;
@@ -60,27 +47,16 @@ Routes DecMctsPlanner::drawn_routes(std::size_t robot) {
   return routes;
 }
 
-TeamWalk DecMctsPlanner::walk_of_others(std::size_t robot, const Routes& routes) const {
-  TeamWalk walk(*problem_, options_.rollout.most_options);
-  for (std::size_t other = 0; other < routes.size(); ++other) {
-    if (other == robot) continue;
-    for (const int place : routes[other]) walk.go(static_cast<int>(other), place);
-    walk.stay(static_cast<int>(other));
-  }
-  return walk;
-}
-
 void DecMctsPlanner::grow(std::size_t robot) {
   const int member = static_cast<int>(robot);
   Routes routes = drawn_routes(robot);
-  const TeamWalk others = walk_of_others(robot, routes);
   const double without_s = expected_time_s(routes);
   const auto successors = [&](const std::vector<int>& route) {
     TeamWalk walk(*problem_, options_.successors);
+    for (const int place : route) walk.go(member, place);
     for (std::size_t other = 0; other < routes.size(); ++other) {
       if (other != robot) walk.stay(static_cast<int>(other));
     }
-    for (const int place : route) walk.go(member, place);
     std::vector<int> places;
     if (walk.next_member() == member) {
       for (const WalkOption& option : walk.options(member)) {
@@ -90,8 +66,11 @@ void DecMctsPlanner::grow(std::size_t robot) {
     return places;
   };
   const auto simulate = [&](std::vector<int>& route) {
-    TeamWalk walk = others;
-    walk_along(walk, member, route, [&] { return greedy_at_random(walk.options(member), options_.rollout, rng_); });
+    TeamWalk walk(*problem_, options_.rollout.most_options);
+    std::size_t done = 0;
+    walk_among(walk, routes, member, [&] {
+      return done < route.size() ? route[done++] : greedy_at_random(walk.options(member), options_.rollout, rng_);
+    });
     route = walk.routes()[robot];
     routes[robot] = route;
     const double saved_s = without_s - expected_time_s(routes);

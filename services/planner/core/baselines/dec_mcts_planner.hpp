@@ -49,7 +49,6 @@ class DecMctsPlanner final : public Planner {
   /// Routes of all others, drawn from what they intend.
   [[nodiscard]] Routes drawn_routes(std::size_t robot);
   [[nodiscard]] double expected_time_s(const Routes& routes);
-  [[nodiscard]] TeamWalk walk_of_others(std::size_t robot, const Routes& routes) const;
 
   DecMctsOptions options_;
   Rng rng_{0};

@@ -26,13 +26,9 @@ RouteSearch::RouteSearch(const PreparedProblem& problem, SearchObjective& object
       options_(options),
       routes_(std::move(routes)),
       member_(member),
-      others_(problem, options.most_options),
       looks_(problem.fixed_looks()) {
   for (std::size_t m = 0; m < routes_.size(); ++m) {
-    if (static_cast<int>(m) == member_) continue;
-    problem.add_looks(m, routes_[m], looks_);
-    for (const int place : routes_[m]) others_.go(static_cast<int>(m), place);
-    others_.stay(static_cast<int>(m));
+    if (static_cast<int>(m) != member_) problem.add_looks(m, routes_[m], looks_);
   }
   looks_of_others_ = looks_.size();
   expected_time_s_ = expected_time_of(routes_[static_cast<std::size_t>(member_)]);
@@ -46,13 +42,11 @@ double RouteSearch::expected_time_of(const std::vector<int>& route) {
 
 void RouteSearch::improve(Rng& rng) {
   const auto m = static_cast<std::size_t>(member_);
-  TeamWalk walk = others_;
+  TeamWalk walk(*problem_, options_.most_options);
   const std::size_t kept = rng.index(routes_[m].size() + 1);
-  for (std::size_t i = 0; i < kept; ++i) walk.go(member_, routes_[m][i]);
-  while (walk.next_member() == member_) {
-    const int place = greedy_at_random(walk.options(member_), options_, rng);
-    place < 0 ? walk.stay(member_) : walk.go(member_, place);
-  }
+  std::size_t done = 0;
+  walk_among(walk, routes_, member_,
+             [&] { return done < kept ? routes_[m][done++] : greedy_at_random(walk.options(member_), options_, rng); });
   const double value_s = expected_time_of(walk.routes()[m]);
   if (value_s >= expected_time_s_) return;
   expected_time_s_ = value_s;

@@ -36,7 +36,6 @@ class RouteSearch {
   RouteSearchOptions options_;
   Routes routes_;
   int member_;
-  TeamWalk others_;  ///< the others have gone their ways
   std::vector<Look> looks_;
   std::size_t looks_of_others_ = 0;
   double expected_time_s_ = 0.0;

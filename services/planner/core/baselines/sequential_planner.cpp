@@ -37,15 +37,7 @@ void SequentialPlanner::plan_next_member() {
   RouteSearchOptions greedy = options_.search;
   greedy.spread = 0.0;
   TeamWalk walk(*problem_, greedy.most_options);
-  for (std::size_t m = 0; m < routes.size(); ++m) {
-    if (static_cast<int>(m) == member) continue;
-    for (const int place : routes[m]) walk.go(static_cast<int>(m), place);
-    walk.stay(static_cast<int>(m));
-  }
-  while (walk.next_member() == member) {
-    const int place = greedy_at_random(walk.options(member), greedy, rng_);
-    place < 0 ? walk.stay(member) : walk.go(member, place);
-  }
+  walk_among(walk, routes, member, [&] { return greedy_at_random(walk.options(member), greedy, rng_); });
   routes[static_cast<std::size_t>(member)] = walk.routes()[static_cast<std::size_t>(member)];
   search_.emplace(*problem_, *objective_, options_.search, std::move(routes), member);
   tries_left_ = tries_;

@@ -60,4 +60,17 @@ class TeamWalk {
   Routes routes_;
 };
 
+/// Lets everybody but `member` follow their `routes`, and `member` go where `choose` says (-1: it stays), in the order
+/// in which they arrive: what the others are on their way to see when `member` chooses is not new to it, what they will
+/// see later is.
+template <typename Choose>
+void walk_among(TeamWalk& walk, const Routes& routes, int member, const Choose& choose) {
+  std::vector<std::size_t> next(routes.size(), 0);
+  for (int who = walk.next_member(); who >= 0; who = walk.next_member()) {
+    const auto m = static_cast<std::size_t>(who);
+    const int place = who == member ? choose() : next[m] < routes[m].size() ? routes[m][next[m]++] : -1;
+    place < 0 ? walk.stay(who) : walk.go(who, place);
+  }
+}
+
 }  // namespace tandem
