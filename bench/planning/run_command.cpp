@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/planning/loop/run_plan.hpp"
+#include "bench/planning/records/resumable.hpp"
 #include "bench/planning/statistics/statistics.hpp"
 #include "services/common/stop_signal.hpp"
 
@@ -72,9 +73,9 @@ int run(const RunArguments& arguments) {
       all_runs(arguments.families, parse_seeds(arguments.seeds), arguments.planners, parse_budgets(arguments.budgets));
   const StopSignal stop;
   print_head();
-  const auto records = made_runs(
-      requests, arguments.results, arguments.threads,
-      [](const RunRecord& record, std::size_t) { print_record(record); }, [&] { return stop.requested(); });
+  const auto records =
+      resumed<RunRecord>(requests, made_run, [](const RunRecord& record, std::size_t) { print_record(record); },
+                         {arguments.results, arguments.threads, [&] { return stop.requested(); }});
   print_summary(records, arguments.baseline.empty() ? arguments.planners.front() : arguments.baseline);
   return stop.requested() ? 130 : 0;
 }

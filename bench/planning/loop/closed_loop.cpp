@@ -7,6 +7,7 @@
 
 #include "bench/planning/instance/instance_world.hpp"
 #include "bench/planning/loop/cpu_clock.hpp"
+#include "bench/planning/loop/nearest_unseen_walk.hpp"
 #include "bench/planning/oracles/sweep_bound.hpp"
 
 namespace tandem::bench {
@@ -15,14 +16,14 @@ namespace {
 constexpr double kAllSeenFirstSight = 1e-9;
 constexpr double kAllSeenExponential = 1e-4;  ///< what then is left is found one sweep later
 constexpr double kLeastStretch_s = 1.0;
-constexpr double kPlanHorizonSweeps = 2.5;  ///< plans are compared over the time of so many sweeps of the area
+constexpr int kFruitlessPlans = 2;  ///< after so many plans on which nothing was seen, the nearest unseen is walked to
+constexpr double kLeastFruit = 1e-9;
 constexpr double kChangeWindow_s = 30.0;
 
 /// One search under way.
 class Loop {
  public:
-  Loop(const PlanningInstance& instance, const MakePlanner& make_planner, const MakePlanner& make_fallback,
-       const LoopOptions& options)
+  Loop(const PlanningInstance& instance, const MakePlanner& make_planner, const LoopOptions& options)
       : instance_(instance), options_(options), rng_(options.seed) {
     double before_ms = thread_cpu_ms();
     world_ = world_of(instance);
@@ -42,7 +43,6 @@ class Loop {
       planners_.push_back(make_planner());
       masses_.push_back(prior_);
     }
-    fallback_ = make_fallback();
     for (const Pose2& start : instance.starts) {
       result_.walked.push_back({start, {{{0.0, start.position()}}}});
       poses_.push_back(start);
@@ -58,13 +58,16 @@ class Loop {
     double left_sum = 1.0;
     int fruitless = 0;
     while (now_s_ < instance_.horizon_s && left_sum > all_seen) {
-      const bool falls_back = fruitless >= 2;
-      result_.fallbacks += falls_back ? 1 : 0;
-      plan_all(falls_back);
+      const bool falls_back = fruitless >= kFruitlessPlans;
+      if (falls_back) {
+        go_to_unseen(left);
+      } else {
+        plan_all();
+      }
       walk(next_stretch_s(), left);
       const double before = left_sum;
       left_sum = std::accumulate(left.begin(), left.end(), 0.0);
-      fruitless = before - left_sum < 1e-9 ? (falls_back ? 0 : fruitless + 1) : (falls_back ? 2 : 0);
+      fruitless = before - left_sum >= kLeastFruit ? 0 : fruitless + 1;
     }
     result_.finished = left_sum <= all_seen;
     result_.duration_s = now_s_;
@@ -92,11 +95,19 @@ class Loop {
     return problem;
   }
 
+  /// Everybody goes to see what is nearest to them.
+  void go_to_unseen(const std::vector<double>& left) {
+    ++result_.fallbacks;
+    for (std::size_t m = 0; m < poses_.size(); ++m) {
+      current_[m] = nearest_unseen_walk(*world_, static_cast<int>(m), poses_[m], left);
+    }
+  }
+
   /// Plans for everybody; the new paths are in current_.
-  void plan_all(bool falls_back) {
+  void plan_all() {
     for (std::size_t g = 0; g < planners_.size(); ++g) {
       const SearchProblem problem = problem_of(g);
-      Planner& planner = falls_back ? *fallback_ : *planners_[g];
+      Planner& planner = *planners_[g];
       const double before_ms = thread_cpu_ms();
       const auto stop = options_.budget.rollouts ? std::function<bool()>([] { return false; })
                                                  : stop_after_cpu_ms(options_.budget.cpu_ms);
@@ -154,7 +165,6 @@ class Loop {
   std::vector<double> prior_;
   double sweep_s_ = 0.0;
   std::vector<std::unique_ptr<Planner>> planners_;
-  std::unique_ptr<Planner> fallback_;
   std::vector<std::vector<double>> masses_;  ///< per planner: what it believes
   std::vector<Pose2> poses_;
   std::vector<TimedPath> current_;  ///< per member, from now
@@ -166,9 +176,8 @@ class Loop {
 
 }  // namespace
 
-LoopResult played(const PlanningInstance& instance, const MakePlanner& make_planner, const MakePlanner& make_fallback,
-                  const LoopOptions& options) {
-  return Loop(instance, make_planner, make_fallback, options).run();
+LoopResult played(const PlanningInstance& instance, const MakePlanner& make_planner, const LoopOptions& options) {
+  return Loop(instance, make_planner, options).run();
 }
 
 }  // namespace tandem::bench

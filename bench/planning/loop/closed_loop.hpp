@@ -19,6 +19,8 @@ struct PlanningBudget {
   std::optional<int> rollouts = std::nullopt;
 };
 
+inline constexpr double kPlanHorizonSweeps = 2.5;  ///< plans are compared over the time of so many sweeps of the area
+
 /// Makes a planner; a new one for each search.
 using MakePlanner = std::function<std::unique_ptr<Planner>()>;
 
@@ -49,6 +51,6 @@ struct LoopResult {
 /// latest after the instance's replan period, and when the world changes. Equal arguments and a budget of rollouts give
 /// an equal result, bit for bit.
 [[nodiscard]] LoopResult played(const PlanningInstance& instance, const MakePlanner& make_planner,
-                                const MakePlanner& make_fallback, const LoopOptions& options);
+                                const LoopOptions& options);
 
 }  // namespace tandem::bench

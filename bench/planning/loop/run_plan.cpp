@@ -2,14 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <exception>
-#include <fstream>
-#include <map>
-#include <mutex>
-#include <thread>
 
 #include "services/common/config.hpp"
-#include "services/common/file_io.hpp"
 #include "services/planner/core/planners/registry.hpp"
 
 namespace tandem::bench {
@@ -83,59 +77,8 @@ RunRecord made_run(const RunRequest& request) {
   options.seed = request.key.planner_seed;
   options.shares_looks = !request.key.planner.starts_with("independent");
   const LoopResult result = played(
-      instance, [&] { return make_planner(request.key.planner); }, [] { return make_planner("nearest_unseen"); },
-      options);
+      instance, [&] { return make_planner(request.key.planner); }, options);
   return record_of(request.key, instance, result);
-}
-
-std::vector<RunRecord> made_runs(const std::vector<RunRequest>& requests, const std::filesystem::path& results_file,
-                                 int threads, const std::function<void(const RunRecord&, std::size_t)>& on_record,
-                                 const std::function<bool()>& stop) {
-  std::map<RunKey, RunRecord> records;
-  for (RunRecord& record : read_records(results_file)) records.insert_or_assign(record.key, record);
-  std::vector<RunRequest> missing;
-  std::ranges::copy_if(requests, std::back_inserter(missing),
-                       [&](const RunRequest& request) { return !records.contains(request.key); });
-  std::ofstream out;
-  if (!missing.empty() && !results_file.empty()) {
-    out.open(results_file, std::ios::app);
-    if (!out) throw FileError(results_file.string() + ": cannot be written");
-  }
-  std::mutex mutex;
-  std::size_t next = 0;
-  std::size_t left = missing.size();
-  std::exception_ptr failure;
-  const auto work = [&] {
-    while (true) {
-      std::size_t mine = 0;
-      {
-        const std::lock_guard lock(mutex);
-        if (failure || next == missing.size() || stop()) return;
-        mine = next++;
-      }
-      try {
-        const RunRecord record = made_run(missing[mine]);
-        const std::lock_guard lock(mutex);
-        if (out.is_open()) out << to_line(record) << '\n' << std::flush;
-        records.insert_or_assign(record.key, record);
-        on_record(record, --left);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        failure = std::current_exception();
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> workers;
-    for (int i = 1; i < threads; ++i) workers.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
-  std::vector<RunRecord> all;
-  for (const RunRequest& request : requests) {
-    if (const auto found = records.find(request.key); found != records.end()) all.push_back(found->second);
-  }
-  return all;
 }
 
 }  // namespace tandem::bench

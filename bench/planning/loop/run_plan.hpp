@@ -1,11 +1,10 @@
 #pragma once
 
-#include <filesystem>
-#include <functional>
+#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "bench/planning/loop/result_line.hpp"
+#include "bench/planning/records/run_record.hpp"
 
 namespace tandem::bench {
 
@@ -29,13 +28,5 @@ struct RunRequest {
 
 /// Plays one search.
 [[nodiscard]] RunRecord made_run(const RunRequest& request);
-
-/// Makes the runs that `results_file` does not hold yet, on `threads` threads, and appends each as a line as soon as it
-/// is done; `on_record` hears of each, `stop` is asked before each. Gives all requested records there are, the old ones
-/// too, in the order of `requests`.
-[[nodiscard]] std::vector<RunRecord> made_runs(const std::vector<RunRequest>& requests,
-                                               const std::filesystem::path& results_file, int threads,
-                                               const std::function<void(const RunRecord&, std::size_t left)>& on_record,
-                                               const std::function<bool()>& stop);
 
 }  // namespace tandem::bench

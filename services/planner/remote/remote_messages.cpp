@@ -9,15 +9,19 @@
 namespace tandem::remote {
 namespace {
 
-using nlohmann::json;
 using Eigen::Vector2d;
+using nlohmann::json;
 
 constexpr double kStartTolerance_m = 0.05;
 constexpr double kSpeedTolerance = 1.01;
 
-json point(const Vector2d& p) { return json::array({p.x(), p.y()}); }
+json point(const Vector2d& p) {
+  return json::array({p.x(), p.y()});
+}
 
-json finite_or_null(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+json finite_or_null(double value) {
+  return std::isfinite(value) ? json(value) : json(nullptr);
+}
 
 json timed_points(const TimedPath& path) {
   json points = json::array();
@@ -36,7 +40,8 @@ json layer(const OccupancyGrid& map) {
     rows.push_back(text);
   }
   const Pose2& corner = map.map_from_grid();
-  return {{"resolution_m", map.resolution_m()}, {"corner_in_map", {corner.x, corner.y, corner.heading}}, {"rows", rows}};
+  return {
+      {"resolution_m", map.resolution_m()}, {"corner_in_map", {corner.x, corner.y, corner.heading}}, {"rows", rows}};
 }
 
 json member_json(const SearchMember& member, const Searcher& searcher) {
@@ -100,8 +105,12 @@ std::string world_message(SearchWorld& world) {
   int count = 1;
   for (const Searcher& searcher : world.searchers()) count = std::max(count, searcher.layer + 1);
   for (int i = 0; i < count; ++i) layers.push_back(layer(world.map(i)));
-  return json{{"type", "world"}, {"protocol", 1},   {"layers", layers},
-              {"cells", cells},  {"cell_size_m", area.cell_size_m()}}
+  return json{{"type", "world"},
+              {"protocol", 1},
+              {"layers", layers},
+              {"cells", cells},
+              {"cell_size_m", area.cell_size_m()},
+              {"cells_corner_in_map", point(area.origin_in_map())}}
       .dump();
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "services/common/config.hpp"
-#include "services/common/file_io.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -19,26 +18,9 @@ TEST(RunPlan, ReadsSeedsAndBudgets) {
 }
 
 TEST(RunPlan, TakesEachInstanceWithEachPlannerAndBudget) {
-  const auto runs = all_runs({"S0m"}, {1, 2}, {"greedy", "greedy15"}, parse_budgets("5r,10r"));
+  const auto runs = all_runs({"S0m"}, {1, 2}, {"tandem", "tandem:eligible=4"}, parse_budgets("5r,10r"));
   EXPECT_EQ(runs.size(), 8U);
-  EXPECT_EQ(runs.front().key, (RunKey{"S0m", 1, "greedy", "5rollouts", 1}));
-}
-
-TEST(RunPlan, GoesOnWhereItWasLeftOff) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "tandem_run_plan_test.jsonl";
-  std::filesystem::remove(file);
-  const auto requests = all_runs({"S0m"}, {1, 2}, {"greedy15"}, parse_budgets("5r"));
-  int made = 0;
-  const auto count = [&](const RunRecord&, std::size_t) { ++made; };
-  // Stopped after the first.
-  const auto first = made_runs(requests, file, 1, count, [&] { return made == 1; });
-  EXPECT_EQ(first.size(), 1U);
-  const auto rest = made_runs(requests, file, 1, count, [] { return false; });
-  EXPECT_EQ(made, 2);
-  ASSERT_EQ(rest.size(), 2U);
-  EXPECT_DOUBLE_EQ(rest.front().expected_time_s, first.front().expected_time_s);
-  EXPECT_EQ(read_records(file).size(), 2U);
-  std::filesystem::remove(file);
+  EXPECT_EQ(runs.front().key, (RunKey{"S0m", 1, "tandem", "5rollouts", 1}));
 }
 
 }  // namespace

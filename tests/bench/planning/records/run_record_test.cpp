@@ -1,9 +1,8 @@
-#include "bench/planning/loop/result_line.hpp"
+#include "bench/planning/records/run_record.hpp"
 
 #include <gtest/gtest.h>
 
-#include "services/common/config.hpp"
-#include "services/common/file_io.hpp"
+#include "bench/planning/records/json_lines.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -17,32 +16,32 @@ RunRecord a_record() {
   return record;
 }
 
-TEST(ResultLine, ReadsBackAsItWasWritten) {
-  const RunRecord record = from_line(to_line(a_record()));
+TEST(RunRecord, ReadsBackAsItWasWritten) {
+  const RunRecord record = from_line<RunRecord>(to_line(a_record()));
   EXPECT_EQ(record.key, a_record().key);
   EXPECT_DOUBLE_EQ(record.expected_time_s, 78.25);
   EXPECT_EQ(record.distance_m, (std::vector<double>{60.0, 90.5}));
   EXPECT_TRUE(record.finished);
 }
 
-TEST(ResultLine, IsOneLine) {
+TEST(RunRecord, IsOneLine) {
   EXPECT_EQ(to_line(a_record()).find('\n'), std::string::npos);
 }
 
-TEST(ResultLine, RefusesWhatIsNone) {
-  EXPECT_THROW((void)from_line("{}"), ConfigError);
-  EXPECT_THROW((void)from_line("nonsense"), ConfigError);
+TEST(RunRecord, RefusesWhatIsNone) {
+  EXPECT_THROW((void)from_line<RunRecord>("{}"), ConfigError);
+  EXPECT_THROW((void)from_line<RunRecord>("nonsense"), ConfigError);
 }
 
-TEST(ResultLine, ALineThatWasCutOffIsLeftOut) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "tandem_result_line_test.jsonl";
+TEST(RunRecord, ALineThatWasCutOffIsLeftOut) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "tandem_run_record_test.jsonl";
   write_file_atomically(file, to_line(a_record()) + "\n" + to_line(a_record()).substr(0, 20));
-  EXPECT_EQ(read_records(file).size(), 1U);
+  EXPECT_EQ(read_lines<RunRecord>(file).size(), 1U);
   std::filesystem::remove(file);
-  EXPECT_TRUE(read_records(file).empty());
+  EXPECT_TRUE(read_lines<RunRecord>(file).empty());
 }
 
-TEST(ResultLine, NamesABudget) {
+TEST(RunRecord, NamesABudget) {
   EXPECT_EQ(budget_label({.cpu_ms = 50.0}), "50ms");
   EXPECT_EQ(budget_label({.rollouts = 500}), "500rollouts");
 }

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/planning/loop/closed_loop.hpp"
@@ -52,17 +50,43 @@ struct RunRecord {
   int rollouts = 0;
   int fallbacks = 0;
   double plan_change_m = 0.0;
+
+  template <typename Self, typename Visitor>
+  static void visit_fields(Self& record, Visitor&& field) {
+    field("family", record.key.family);
+    field("seed", record.key.seed);
+    field("planner", record.key.planner);
+    field("budget", record.key.budget);
+    field("planner_seed", record.key.planner_seed);
+    field("finished", record.finished);
+    field("expected_time_s", record.expected_time_s);
+    field("probability_left", record.probability_left);
+    field("duration_s", record.duration_s);
+    field("found_by_60_s", record.found_by_60_s);
+    field("found_by_120_s", record.found_by_120_s);
+    field("found_by_300_s", record.found_by_300_s);
+    field("found_by_600_s", record.found_by_600_s);
+    field("half_found_s", record.half_found_s);
+    field("found95_s", record.found95_s);
+    field("all_found_s", record.all_found_s);
+    field("overlap", record.overlap);
+    field("distance_m", record.distance_m);
+    field("human_share", record.human_share);
+    field("prepare_ms", record.prepare_ms);
+    field("first_plan_ms", record.first_plan_ms);
+    field("replan_p50_ms", record.replan_p50_ms);
+    field("replan_p95_ms", record.replan_p95_ms);
+    field("replan_p99_ms", record.replan_p99_ms);
+    field("first_value_s", record.first_value_s);
+    field("first_bound_s", record.first_bound_s);
+    field("sweep_bound_s", record.sweep_bound_s);
+    field("replans", record.replans);
+    field("rollouts", record.rollouts);
+    field("fallbacks", record.fallbacks);
+    field("plan_change_m", record.plan_change_m);
+  }
 };
 
 [[nodiscard]] RunRecord record_of(const RunKey& key, const PlanningInstance& instance, const LoopResult& result);
-
-/// The record as one line of JSON, without the line's end.
-[[nodiscard]] std::string to_line(const RunRecord& record);
-
-/// The record of a line; throws ConfigError if it is none.
-[[nodiscard]] RunRecord from_line(std::string_view line);
-
-/// All whole lines of a results file, none if there is no such file. A last line that was cut off is left out.
-[[nodiscard]] std::vector<RunRecord> read_records(const std::filesystem::path& file);
 
 }  // namespace tandem::bench
