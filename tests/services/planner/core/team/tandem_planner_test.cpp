@@ -1,4 +1,4 @@
-#include "services/planner/core/team/team_planner.hpp"
+#include "services/planner/core/team/tandem_planner.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ SearchCase hall(std::vector<Searcher> searchers) {
 }
 
 JointPlan plan_with(const SearchProblem& problem, int rollouts, std::uint64_t seed) {
-  TeamPlanner planner({});
+  TandemPlanner planner({});
   return plan_with(planner, problem, rollouts, seed);
 }
 
@@ -41,7 +41,7 @@ Searcher short_sighted() {
   return agent;
 }
 
-TEST(TeamPlanner, T15OneAgentGoesToTheLikelyRoomFirstThoughItIsFarther) {
+TEST(TandemPlanner, T15OneAgentGoesToTheLikelyRoomFirstThoughItIsFarther) {
   SearchCase search(empty_room(12, 1), {4.75, 1.0}, {short_sighted()}, 0.7);
   place_mass(search, {2.75, 1.0}, 0.2, {10.25, 1.0}, 0.8);  // 2 m and 5.5 m away, seen from 0.6 m
   search.problem.horizon_s = 30.0;
@@ -52,7 +52,7 @@ TEST(TeamPlanner, T15OneAgentGoesToTheLikelyRoomFirstThoughItIsFarther) {
   EXPECT_GT(pose_at(plan.paths[0], 4.0).x, 7.0);
 }
 
-TEST(TeamPlanner, T16TwoAgentsSplit) {
+TEST(TandemPlanner, T16TwoAgentsSplit) {
   SearchCase search(empty_room(12, 1), {4.75, 1.0}, {short_sighted(), short_sighted()}, 0.7);
   place_mass(search, {2.75, 1.0}, 0.2, {10.25, 1.0}, 0.8);
   search.problem.horizon_s = 30.0;
@@ -61,7 +61,7 @@ TEST(TeamPlanner, T16TwoAgentsSplit) {
   EXPECT_NEAR(plan.forecast.expected_time_s, 0.8 * 4.9 + 0.2 * 1.4, 1.0);
 }
 
-TEST(TeamPlanner, T17AFixedGoalIsReachedAndTheSearchGoesOn) {
+TEST(TandemPlanner, T17AFixedGoalIsReachedAndTheSearchGoesOn) {
   SearchCase search = hall({test_robot(), test_person()});
   const Vector2d corner{15.75, 9.75};
   search.problem.members[1].goal = corner;
@@ -78,7 +78,7 @@ TEST(TeamPlanner, T17AFixedGoalIsReachedAndTheSearchGoesOn) {
   EXPECT_TRUE(std::isinf(robots_goal.goal_reached_s[1]));
 }
 
-TEST(TeamPlanner, T18AMemberThatCanGoNowhereWaitsAndTheOtherGoesOn) {
+TEST(TandemPlanner, T18AMemberThatCanGoNowhereWaitsAndTheOtherGoesOn) {
   Searcher stuck = test_robot();
   stuck.radius_m = 1.9;  // fits hardly anywhere
   SearchCase search = hall({test_person(), stuck});
@@ -87,7 +87,7 @@ TEST(TeamPlanner, T18AMemberThatCanGoNowhereWaitsAndTheOtherGoesOn) {
   EXPECT_GT(plan.paths[0].duration_s(), 30.0);
 }
 
-TEST(TeamPlanner, T19WithoutAnyRolloutThereIsAPlan) {
+TEST(TandemPlanner, T19WithoutAnyRolloutThereIsAPlan) {
   SearchCase search = hall({test_robot(), test_person()});
   const JointPlan plan = plan_with(search.problem, 0, 1);
 
@@ -95,9 +95,9 @@ TEST(TeamPlanner, T19WithoutAnyRolloutThereIsAPlan) {
   EXPECT_GT(plan.forecast.probability_found, 0.5);
 }
 
-TEST(TeamPlanner, T20MoreRolloutsNeverGiveAWorsePlan) {
+TEST(TandemPlanner, T20MoreRolloutsNeverGiveAWorsePlan) {
   SearchCase search = hall({test_robot(), test_person()});
-  TeamPlanner planner({});
+  TandemPlanner planner({});
   planner.begin(search.problem, Rng{3});
   double last_s = planner.best().value_s;
   for (int i = 0; i < 20; ++i) {
@@ -107,10 +107,10 @@ TEST(TeamPlanner, T20MoreRolloutsNeverGiveAWorsePlan) {
   }
 }
 
-TEST(TeamPlanner, T20EqualSeedAndRolloutsGiveTheSamePlanBitForBitHoweverTheyAreCut) {
+TEST(TandemPlanner, T20EqualSeedAndRolloutsGiveTheSamePlanBitForBitHoweverTheyAreCut) {
   SearchCase search = hall({test_robot(), test_person()});
   const JointPlan a = plan_with(search.problem, 60, 9);
-  TeamPlanner pieces({});
+  TandemPlanner pieces({});
   pieces.begin(search.problem, Rng{9});
   for (int i = 0; i < 6; ++i) pieces.run(10, {});
   const JointPlan b = pieces.best();
@@ -125,7 +125,7 @@ TEST(TeamPlanner, T20EqualSeedAndRolloutsGiveTheSamePlanBitForBitHoweverTheyAreC
   }
 }
 
-TEST(TeamPlanner, T20TheOrderOfMembersDoesNotMatterToTheValueOfAPlan) {
+TEST(TandemPlanner, T20TheOrderOfMembersDoesNotMatterToTheValueOfAPlan) {
   SearchCase search = hall({test_robot(), test_person()});
   const JointPlan plan = plan_with(search.problem, 5, 1);
   SearchProblem swapped = search.problem;
@@ -134,7 +134,7 @@ TEST(TeamPlanner, T20TheOrderOfMembersDoesNotMatterToTheValueOfAPlan) {
   EXPECT_NEAR(evaluated(swapped, {plan.paths[1], plan.paths[0]}).value_s, plan.value_s, 1e-9);
 }
 
-TEST(TeamPlanner, SplitsTheHallBetweenTheTwo) {
+TEST(TandemPlanner, SplitsTheHallBetweenTheTwo) {
   SearchCase search = hall({test_robot(), test_person()});
   SearchCase alone = hall({test_person()});
 
@@ -142,7 +142,7 @@ TEST(TeamPlanner, SplitsTheHallBetweenTheTwo) {
             0.85 * plan_with(alone.problem, 100, 1).forecast.expected_time_s);
 }
 
-TEST(TeamPlanner, ARejectedPlanIsNotProposedAgain) {
+TEST(TandemPlanner, ARejectedPlanIsNotProposedAgain) {
   SearchCase search = hall({test_robot(), test_person()});
   for (int i = 0; i < 3; ++i) {
     const JointPlan plan = plan_with(search.problem, 100, 1);
@@ -151,7 +151,7 @@ TEST(TeamPlanner, ARejectedPlanIsNotProposedAgain) {
   }
 }
 
-TEST(TeamPlanner, OnASmallTreeRolloutsFindWhatExhaustiveSearchFinds) {
+TEST(TandemPlanner, OnASmallTreeRolloutsFindWhatExhaustiveSearchFinds) {
   Searcher agent = test_person();
   agent.view_max_m = 1.0;
   SearchCase search(empty_room(9, 2), {4.0, 1.5}, {agent}, 1.2);
@@ -178,9 +178,9 @@ TEST(TeamPlanner, OnASmallTreeRolloutsFindWhatExhaustiveSearchFinds) {
   };
   extend({}, 0.0);
 
-  TeamPlannerOptions options;
-  options.eligible = 20;
-  TeamPlanner planner(options);
+  TandemOptions options;
+  options.tree.eligible = 20;
+  TandemPlanner planner(options);
   EXPECT_LE(plan_with(planner, search.problem, 5000, 1).value_s, best_s + 1e-9);
 }
 

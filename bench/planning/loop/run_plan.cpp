@@ -1,0 +1,84 @@
+#include "bench/planning/loop/run_plan.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "services/common/config.hpp"
+#include "services/planner/core/planners/registry.hpp"
+
+namespace tandem::bench {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+template <typename Number>
+Number parse_number(const std::string& text, const std::string& what) {
+  Number number{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size()) {
+    throw ConfigError("'" + text + "' is no number: " + what);
+  }
+  return number;
+}
+
+}  // namespace
+
+std::vector<RunRequest> all_runs(const std::vector<std::string>& families, const std::vector<std::uint64_t>& seeds,
+                                 const std::vector<std::string>& planners, const std::vector<PlanningBudget>& budgets) {
+  std::vector<RunRequest> runs;
+  for (const auto& family : families) {
+    for (const std::uint64_t seed : seeds) {
+      for (const auto& budget : budgets) {
+        for (const auto& planner : planners) runs.push_back({{family, seed, planner, budget_label(budget), 1}, budget});
+      }
+    }
+  }
+  return runs;
+}
+
+std::vector<std::uint64_t> parse_seeds(const std::string& text) {
+  const std::string what = "seeds are written 3 or 1:6 or 1,4,7:9";
+  std::vector<std::uint64_t> seeds;
+  for (const std::string& part : split(text, ',')) {
+    const auto ends = split(part, ':');
+    if (ends.size() > 2) throw ConfigError("'" + part + "': " + what);
+    const auto first = parse_number<std::uint64_t>(ends.front(), what);
+    const auto last = parse_number<std::uint64_t>(ends.back(), what);
+    for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
+  }
+  return seeds;
+}
+
+std::vector<PlanningBudget> parse_budgets(const std::string& text) {
+  const std::string what = "budgets are written 50,200 (milliseconds) or 500r (rollouts)";
+  std::vector<PlanningBudget> budgets;
+  for (const std::string& part : split(text, ',')) {
+    if (part.ends_with('r')) {
+      budgets.push_back({0.0, parse_number<int>(part.substr(0, part.size() - 1), what)});
+    } else {
+      budgets.push_back({parse_number<double>(part, what), std::nullopt});
+    }
+  }
+  return budgets;
+}
+
+RunRecord made_run(const RunRequest& request) {
+  const PlanningInstance instance = instance_of(request.key.family, request.key.seed);
+  LoopOptions options;
+  options.budget = request.budget;
+  options.seed = request.key.planner_seed;
+  options.shares_looks = !request.key.planner.starts_with("independent");
+  const LoopResult result = played(
+      instance, [&] { return make_planner(request.key.planner); }, options);
+  return record_of(request.key, instance, result);
+}
+
+}  // namespace tandem::bench
