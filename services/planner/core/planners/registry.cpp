@@ -1,16 +1,13 @@
 #include "services/planner/core/planners/registry.hpp"
 
-#include <functional>
 #include <map>
 
 #include "services/common/config.hpp"
-#include "services/planner/core/planners/planner_options.hpp"
+#include "services/planner/core/planners/peers.hpp"
 #include "services/planner/core/team/team_planner.hpp"
 
 namespace tandem {
 namespace {
-
-using Make = std::function<std::unique_ptr<Planner>(PlannerOptions&)>;
 
 std::unique_ptr<Planner> make_tandem(PlannerOptions& given) {
   TeamPlannerOptions options;
@@ -20,8 +17,12 @@ std::unique_ptr<Planner> make_tandem(PlannerOptions& given) {
   return std::make_unique<TeamPlanner>(options);
 }
 
-const std::map<std::string, Make>& makers() {
-  static const std::map<std::string, Make> all{{"tandem", make_tandem}};
+const std::map<std::string, MakePlanner>& makers() {
+  static const std::map<std::string, MakePlanner> all = [] {
+    auto makers = peers();
+    makers.emplace("tandem", make_tandem);
+    return makers;
+  }();
   return all;
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "services/planner/core/baselines/one_plan_planner.hpp"
+
+namespace tandem {
+
+/// Cuts what is unseen into pieces, one a member, as large as it can sweep in equal time, and lets each mow its piece
+/// lane by lane, from the end it is nearer to.
+class LawnmowerPlanner final : public OnePlanPlanner {
+ private:
+  [[nodiscard]] Routes routes(const PreparedProblem& problem) const override;
+};
+
+/// Points of an area in the order of mowing: in lanes of `lane_width_m` along the longer side of what the points span,
+/// every other one backwards. The result are indices.
+[[nodiscard]] std::vector<int> mowing_order(const std::vector<Eigen::Vector2d>& points, double lane_width_m);
+
+}  // namespace tandem

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "services/planner/core/paper/joint_rollout.hpp"
+#include "services/planner/core/search/search_objective.hpp"
+
+namespace tandem {
+
+/// The objective g as printed, (15) with (28): the mass that the team detects, in parts of what was left, whenever it
+/// does so, and what the ways cost. A source pays once, whoever draws on it: pools are joint.
+class DetectedMass {
+ public:
+  /// `mass` is what each search cell can still pay; the trees outlive it.
+  DetectedMass(std::vector<double> mass, std::vector<ActionTree*> trees, double travel_cost_per_s);
+
+  /// Of the sequences to these actions, one an agent. Higher is better.
+  [[nodiscard]] double of(const std::array<int, kMostAgents>& last_actions);
+
+ private:
+  /// What a whole sequence leaves in each cell it draws on, each cell once.
+  const std::vector<Draw>& draws_to(std::size_t agent, int last_action);
+
+  std::vector<double> mass_;
+  double mass_left_ = 0.0;
+  std::vector<ActionTree*> trees_;
+  double travel_cost_per_s_;
+  std::vector<std::vector<std::vector<Draw>>> draws_;  ///< per agent and action, empty until asked for
+  std::vector<double> kept_;                           ///< scratch, all 1 between calls
+  std::vector<std::int32_t> touched_;
+};
+
+/// The objective of the corrected planner (digest A1, A2): minus the expected time to find [s].
+class NegativeExpectedTime {
+ public:
+  /// `starts_s`: when each agent's first action begins. The trees and what `fixed` points at outlive it.
+  NegativeExpectedTime(SearchObjective objective, std::vector<ActionTree*> trees, std::vector<double> starts_s,
+                       std::vector<double> rates_per_s, std::vector<Look> fixed);
+
+  /// Of the sequences to these actions, one an agent. Higher is better.
+  [[nodiscard]] double of(const std::array<int, kMostAgents>& last_actions);
+
+ private:
+  SearchObjective objective_;
+  std::vector<ActionTree*> trees_;
+  std::vector<double> starts_s_;
+  std::vector<double> rates_per_s_;
+  std::vector<Look> looks_;
+  std::size_t fixed_;
+};
+
+}  // namespace tandem

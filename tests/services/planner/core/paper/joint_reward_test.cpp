@@ -1,0 +1,68 @@
+#include "services/planner/core/paper/joint_reward.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/services/planner/support/action_trees.hpp"
+
+namespace tandem {
+namespace {
+
+constexpr double kFirstSight = std::numeric_limits<double>::infinity();
+
+TEST(JointReward, APoolPaysOnceWhoeverDrawsOnIt) {
+  ActionTree a = hand_tree({{0, 1.0, 0}, {1, 1.0, 1}});
+  ActionTree b = hand_tree({{0, 1.0, 0}, {0, 1.0, 2}});
+  DetectedMass mass({0.5, 0.3, 0.2}, {&a, &b}, 0.0);
+  EXPECT_DOUBLE_EQ(mass.of({2, 1}), 0.8);  // both see cell 0
+  EXPECT_DOUBLE_EQ(mass.of({2, 2}), 1.0);
+  EXPECT_DOUBLE_EQ(mass.of({0, 2}), 0.2);
+}
+
+TEST(JointReward, ASourceHalfDrawnByOnePaysTheOtherAQuarter) {
+  ActionTree a = hand_tree({{0, 1.0, 0, 0.5}});
+  ActionTree b = hand_tree({{0, 1.0, 0, 0.5}});
+  DetectedMass mass({1.0}, {&a, &b}, 0.0);
+  EXPECT_DOUBLE_EQ(mass.of({1, 0}), 0.5);
+  EXPECT_DOUBLE_EQ(mass.of({1, 1}), 0.75);
+}
+
+TEST(JointReward, WhatIsDetectedIsCountedInPartsOfWhatIsLeft) {
+  ActionTree a = hand_tree({{0, 1.0, 0}});
+  DetectedMass mass({0.1, 0.3}, {&a}, 0.0);
+  EXPECT_DOUBLE_EQ(mass.of({1}), 0.25);
+}
+
+/// T15: room A with 0.2 is 1 s away, room B with 0.8 is 3 s away on the other side. Last actions 2: A first, 4: B
+/// first.
+ActionTree two_rooms() {
+  return hand_tree({{0, 1.0, 0}, {1, 4.0, 1}, {0, 3.0, 1}, {3, 4.0, 0}});
+}
+
+TEST(JointReward, T15TheObjectiveAsPrintedDoesNotCareForTheOrderAndItsTravelCostPicksTheWrongOne) {
+  ActionTree tree = two_rooms();
+  DetectedMass without_cost({0.2, 0.8}, {&tree}, 0.0);
+  EXPECT_DOUBLE_EQ(without_cost.of({2}), without_cost.of({4}));
+  DetectedMass with_cost({0.2, 0.8}, {&tree}, 0.01);
+  EXPECT_DOUBLE_EQ(with_cost.of({2}), 0.95);  // 5 s on the way
+  EXPECT_DOUBLE_EQ(with_cost.of({4}), 0.93);  // 7 s
+}
+
+TEST(JointReward, T15TheExpectedTimePicksTheLikelyRoomFirst) {
+  ActionTree tree = two_rooms();
+  NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 0.0), {&tree}, {0.0}, {kFirstSight}, {});
+  EXPECT_NEAR(time.of({2}), -4.2, 1e-12);  // 0.2 * 1 + 0.8 * 5
+  EXPECT_NEAR(time.of({4}), -3.8, 1e-12);  // 0.8 * 3 + 0.2 * 7
+}
+
+TEST(JointReward, T16TwoAgentsSplit) {
+  ActionTree a = two_rooms();
+  ActionTree b = two_rooms();
+  NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 0.0), {&a, &b}, {0.0, 0.0}, {kFirstSight, kFirstSight},
+                            {});
+  EXPECT_NEAR(time.of({1, 3}), -2.6, 1e-12);  // 0.2 * 1 + 0.8 * 3
+}
+
+}  // namespace
+}  // namespace tandem
