@@ -1,5 +1,6 @@
 #include "services/planner/core/team/place_translation.hpp"
 
+#include <cstdint>
 #include <nanoflann.hpp>
 
 namespace tandem {
@@ -18,7 +19,7 @@ struct LookoutCloud {
   }
 };
 
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, LookoutCloud>, LookoutCloud, 2>;
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, LookoutCloud>, LookoutCloud, 2, std::uint32_t>;
 
 }  // namespace
 
@@ -32,7 +33,7 @@ PlaceTranslation::PlaceTranslation(const TeamGround& ground) : members_(ground.b
       if (ground.books[from] == ground.books[to]) continue;
       auto& table = tables_[from * members_ + to];
       for (int place = 0; place < actions.lookouts(); ++place) {
-        std::size_t nearest = 0;
+        std::uint32_t nearest = 0;
         double distance2 = 0.0;
         const bool found = tree.knnSearch(actions.place(place).data(), 1, &nearest, &distance2) > 0;
         table.push_back(found ? static_cast<int>(nearest) : -1);
