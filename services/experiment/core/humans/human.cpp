@@ -9,8 +9,10 @@
 namespace tandem::experiment {
 namespace {
 
-constexpr double kLaneOfViews = 1.7;  ///< lanes are so many ranges of sight apart: a little overlap
-constexpr double kLateSpeed = 0.6;    ///< of the speed of others
+constexpr double kLaneOfViews = 1.7;      ///< lanes are so many ranges of sight apart: a little overlap
+constexpr double kOwnOverhead_m = 1.5;    ///< of a walk, for who decides again at every place
+constexpr double kGoalOverhead_m = 15.0;  ///< and for who has to say where they go: fewer, farther goals
+constexpr double kLateSpeed = 0.6;        ///< of the speed of others
 
 std::unique_ptr<simulator::PhoneUser> follower(double latency_min_s, double latency_max_s) {
   simulator::ObedientHabits habits;
@@ -37,12 +39,12 @@ const std::vector<std::string>& human_names() {
 Human make_human(std::string_view name, PersonWorld& world, double speed_mps) {
   if (name == "obedient") return {follower(3.0, 8.0), speed_mps};
   if (name == "late") return {follower(8.0, 20.0), kLateSpeed * speed_mps};
-  if (name == "own") return {self_willed(world, greedy_place(), false), speed_mps};
+  if (name == "own") return {self_willed(world, greedy_place(kOwnOverhead_m), false), speed_mps};
   if (name == "stubborn") {
     return {self_willed(world, lawnmower_place(kLaneOfViews * world.view_range_m()), false), speed_mps};
   }
   if (name == "random") return {self_willed(world, random_place(), false), speed_mps};
-  if (name == "announces") return {self_willed(world, greedy_place(), true), speed_mps};
+  if (name == "announces") return {self_willed(world, greedy_place(kGoalOverhead_m), true), speed_mps};
   std::string known;
   for (const std::string& each : human_names()) known += (known.empty() ? "" : ", ") + each;
   throw std::invalid_argument("there is no human called \"" + std::string{name} + "\"; there are " + known);

@@ -7,7 +7,6 @@ namespace tandem::experiment {
 namespace {
 
 constexpr double kLeastNews_m2 = 0.5;  ///< less is not worth a walk
-constexpr double kTurnRound_m = 1.5;   ///< what going anywhere costs beside the walk
 
 std::optional<int> any_place(const Eigen::Vector2d& here_in_map, const PersonWorld& world, Rng& rng) {
   constexpr int kTries = 20;
@@ -21,6 +20,8 @@ std::optional<int> any_place(const Eigen::Vector2d& here_in_map, const PersonWor
 
 class GreedyPlace final : public NextPlace {
  public:
+  explicit GreedyPlace(double overhead_m) : overhead_m_(overhead_m) {}
+
   std::optional<int> choose(const Eigen::Vector2d& here_in_map, PersonWorld& world, const OwnMemory& memory,
                             Rng& rng) override {
     const auto ways = world.ways_from(here_in_map);
@@ -31,13 +32,16 @@ class GreedyPlace final : public NextPlace {
       const double distance_m = world.distance_m(*ways, cell);
       if (!std::isfinite(distance_m)) continue;
       const double news_m2 = memory.news_m2(world, cell);
-      const double score = news_m2 / (distance_m + kTurnRound_m);
+      const double score = news_m2 / (distance_m + overhead_m_);
       if (news_m2 < kLeastNews_m2 || score <= best_score) continue;
       best = cell;
       best_score = score;
     }
     return best ? best : any_place(here_in_map, world, rng);
   }
+
+ private:
+  double overhead_m_;
 };
 
 class RandomPlace final : public NextPlace {
@@ -83,8 +87,8 @@ class LawnmowerPlace final : public NextPlace {
 
 }  // namespace
 
-std::unique_ptr<NextPlace> greedy_place() {
-  return std::make_unique<GreedyPlace>();
+std::unique_ptr<NextPlace> greedy_place(double overhead_m) {
+  return std::make_unique<GreedyPlace>(overhead_m);
 }
 
 std::unique_ptr<NextPlace> random_place() {

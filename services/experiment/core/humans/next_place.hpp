@@ -18,8 +18,9 @@ class NextPlace {
                                                   const OwnMemory& memory, Rng& rng) = 0;
 };
 
-/// Where most new floor per metre is to be seen; anywhere once all is seen.
-[[nodiscard]] std::unique_ptr<NextPlace> greedy_place();
+/// Where most new floor per metre is to be seen, every walk counted `overhead_m` longer than it is; anywhere once all
+/// is seen. The larger the overhead, the farther the walks.
+[[nodiscard]] std::unique_ptr<NextPlace> greedy_place(double overhead_m);
 
 /// Any place.
 [[nodiscard]] std::unique_ptr<NextPlace> random_place();

@@ -26,7 +26,7 @@ double share_seen_after(NextPlace& chooser, Hall& hall, int stops) {
 TEST(GreedyPlace, SeesAHallWithFewStops) {
   Hall hall;
   // 160 m2 and at most 28 m2 a stop: six stops at best.
-  EXPECT_GT(share_seen_after(*greedy_place(), hall, 25), 0.97);
+  EXPECT_GT(share_seen_after(*greedy_place(1.5), hall, 25), 0.97);
 }
 
 TEST(GreedyPlace, GoesAnywhereOnceAllIsSeen) {
@@ -37,7 +37,7 @@ TEST(GreedyPlace, GoesAnywhereOnceAllIsSeen) {
   memory.look(hall.world, {1.5, 3.5});
   memory.look(hall.world, {3.5, 1.5});
   Rng rng{1};
-  EXPECT_TRUE(greedy_place()->choose({2.0, 2.0}, hall.world, memory, rng));
+  EXPECT_TRUE(greedy_place(1.5)->choose({2.0, 2.0}, hall.world, memory, rng));
 }
 
 TEST(LawnmowerPlace, SeesAHallLaneByLane) {

@@ -11,7 +11,7 @@ using simulator::PhonePress;
 
 /// A self-willed person at their phone, in steps of 0.1 s.
 struct Person {
-  explicit Person(const SelfWilledHabits& habits) : mind(habits, hall.world, greedy_place()) {}
+  explicit Person(const SelfWilledHabits& habits) : mind(habits, hall.world, greedy_place(1.5)) {}
 
   simulator::PhoneUserDecision step() {
     input.now = Time{} + from_seconds(time_s);
