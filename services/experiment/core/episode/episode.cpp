@@ -5,6 +5,7 @@
 
 #include "services/experiment/core/episode/person_watch.hpp"
 #include "services/mapping/core/ray_casting.hpp"
+#include "services/planner/core/mission/mission_world.hpp"
 #include "services/simulator/core/walker.hpp"
 
 namespace tandem::experiment {
@@ -22,17 +23,6 @@ constexpr double kLookAround_radps = 0.3;
 navigator::NavigatorConfig in_steps(navigator::NavigatorConfig config) {
   config.period_s = kStep_s;
   return config;
-}
-
-SearchAreaOptions area_options(const PlannerConfig& config, const Vector2d& start_in_map) {
-  SearchAreaOptions options;
-  options.cell_size_m = config.cell_size_m;
-  options.walk_clearance_m = config.person_radius_m;
-  options.start_in_map = start_in_map;
-  for (std::size_t i = 0; i + 1 < config.area_in_map_m.size(); i += 2) {
-    options.outline_in_map.emplace_back(config.area_in_map_m[i], config.area_in_map_m[i + 1]);
-  }
-  return options;
 }
 
 std::vector<Vector2d> points_of(const TimedPath& path) {
@@ -280,7 +270,7 @@ EpisodeWorld::EpisodeWorld(const simulator::Scenario& scenario, const OccupancyG
       place_(map),
       ground_(place_.largest_ground(simulator::kRobotRoom_m)),
       person_world_(map, person_of(options.planner, "human"),
-                    area_options(options.planner, scenario.robot_start.position())),
+                    search_world_options(options.planner, "robot", "human", scenario.robot_start.position()).area),
       mission_(options.planner, "robot", "human"),
       now_(from_stamp_ns(1'700'000'000'000'000'000)) {
   mission_.set_map(map);

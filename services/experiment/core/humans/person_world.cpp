@@ -52,7 +52,8 @@ double PersonWorld::distance_m(const ShortestPaths& ways, int cell) const {
 
 std::vector<Eigen::Vector2d> PersonWorld::way(const ShortestPaths& ways, int cell) const {
   const auto& node = node_of_cell_[static_cast<std::size_t>(cell)];
-  return node ? motion_.way(ways, *node) : std::vector<Eigen::Vector2d>{};
+  if (!node) return {};
+  return motion_.way(ways, *node, motion_.point(ways.from), motion_.point(*node));
 }
 
 void OwnMemory::look(PersonWorld& world, const Eigen::Vector2d& point_in_map) {
