@@ -56,6 +56,7 @@ void SearchMission::start_search() {
   plan_.reset();
   acceptance_.clear();
   rejected_.clear();
+  blocked_since_.reset();
   plans_ = 0;
   goals_ = {};
   for (auto& watch : watches_) watch.pause();
