@@ -8,12 +8,11 @@ namespace {
 
 constexpr double kLeastNews_m2 = 0.5;  ///< less is not worth a walk
 
-std::optional<int> any_place(const Eigen::Vector2d& here_in_map, const PersonWorld& world, Rng& rng) {
+std::optional<int> any_place(const ShortestPaths& ways, const PersonWorld& world, Rng& rng) {
   constexpr int kTries = 20;
-  const auto ways = world.ways_from(here_in_map);
-  for (int i = 0; ways && i < kTries; ++i) {
+  for (int i = 0; i < kTries; ++i) {
     const int cell = static_cast<int>(rng.index(static_cast<std::size_t>(world.area().size())));
-    if (std::isfinite(world.distance_m(*ways, cell))) return cell;
+    if (std::isfinite(world.distance_m(ways, cell))) return cell;
   }
   return std::nullopt;
 }
@@ -22,14 +21,11 @@ class GreedyPlace final : public NextPlace {
  public:
   explicit GreedyPlace(double overhead_m) : overhead_m_(overhead_m) {}
 
-  std::optional<int> choose(const Eigen::Vector2d& here_in_map, PersonWorld& world, const OwnMemory& memory,
-                            Rng& rng) override {
-    const auto ways = world.ways_from(here_in_map);
-    if (!ways) return std::nullopt;
+  std::optional<int> choose(const ShortestPaths& ways, PersonWorld& world, const OwnMemory& memory, Rng& rng) override {
     std::optional<int> best;
     double best_score = 0.0;
     for (int cell = 0; cell < world.area().size(); ++cell) {
-      const double distance_m = world.distance_m(*ways, cell);
+      const double distance_m = world.distance_m(ways, cell);
       if (!std::isfinite(distance_m)) continue;
       const double news_m2 = memory.news_m2(world, cell);
       const double score = news_m2 / (distance_m + overhead_m_);
@@ -37,7 +33,7 @@ class GreedyPlace final : public NextPlace {
       best = cell;
       best_score = score;
     }
-    return best ? best : any_place(here_in_map, world, rng);
+    return best ? best : any_place(ways, world, rng);
   }
 
  private:
@@ -46,9 +42,9 @@ class GreedyPlace final : public NextPlace {
 
 class RandomPlace final : public NextPlace {
  public:
-  std::optional<int> choose(const Eigen::Vector2d& here_in_map, PersonWorld& world, const OwnMemory& /*memory*/,
+  std::optional<int> choose(const ShortestPaths& ways, PersonWorld& world, const OwnMemory& /*memory*/,
                             Rng& rng) override {
-    return any_place(here_in_map, world, rng);
+    return any_place(ways, world, rng);
   }
 };
 
@@ -56,18 +52,16 @@ class LawnmowerPlace final : public NextPlace {
  public:
   explicit LawnmowerPlace(double lane_m) : lane_m_(lane_m) {}
 
-  std::optional<int> choose(const Eigen::Vector2d& here_in_map, PersonWorld& world, const OwnMemory& /*memory*/,
+  std::optional<int> choose(const ShortestPaths& ways, PersonWorld& world, const OwnMemory& /*memory*/,
                             Rng& /*rng*/) override {
-    const auto ways = world.ways_from(here_in_map);
-    if (!ways) return std::nullopt;
-    if (stops_.empty()) begin(world, *ways);
+    if (stops_.empty()) begin(world, ways);
     for (std::size_t tried = 0; tried < stops_.size(); ++tried) {
       if (next_ == stops_.size()) {
         std::ranges::reverse(stops_);
         next_ = 0;
       }
       const int stop = stops_[next_++];
-      if (std::isfinite(world.distance_m(*ways, stop))) return stop;
+      if (std::isfinite(world.distance_m(ways, stop))) return stop;
     }
     return std::nullopt;
   }

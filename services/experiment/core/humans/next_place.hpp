@@ -13,8 +13,8 @@ namespace tandem::experiment {
 class NextPlace {
  public:
   virtual ~NextPlace() = default;
-  /// The next cell to go to from `here_in_map` [m], given what they have looked at; none: they stay.
-  [[nodiscard]] virtual std::optional<int> choose(const Eigen::Vector2d& here_in_map, PersonWorld& world,
+  /// The next cell to go to, `ways` being those from here, given what they have looked at; none: they stay.
+  [[nodiscard]] virtual std::optional<int> choose(const ShortestPaths& ways, PersonWorld& world,
                                                   const OwnMemory& memory, Rng& rng) = 0;
 };
 

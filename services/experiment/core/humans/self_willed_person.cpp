@@ -38,10 +38,9 @@ void SelfWilledPerson::go_somewhere(const PhoneUserInput& input, Rng& rng, Phone
     announced_.reset();
     return;
   }
-  const Eigen::Vector2d here = input.map_from_person.position();
-  const auto cell = next_place_->choose(here, world_, memory_, rng);
-  const auto ways = cell ? world_.ways_from(here) : std::nullopt;
-  auto way = ways ? world_.way(*ways, *cell) : std::vector<Eigen::Vector2d>{};
+  const auto ways = world_.ways_from(input.map_from_person.position());
+  const auto cell = ways ? next_place_->choose(*ways, world_, memory_, rng) : std::nullopt;
+  auto way = cell ? world_.way(*ways, *cell) : std::vector<Eigen::Vector2d>{};
   if (way.empty()) {
     idle_since_ = input.now;  // thinks again
     return;

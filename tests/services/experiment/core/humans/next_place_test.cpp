@@ -14,7 +14,7 @@ double share_seen_after(NextPlace& chooser, Hall& hall, int stops) {
   Eigen::Vector2d here{2.0, 2.0};
   for (int i = 0; i < stops; ++i) {
     memory.look(hall.world, here);
-    const auto cell = chooser.choose(here, hall.world, memory, rng);
+    const auto cell = chooser.choose(*hall.world.ways_from(here), hall.world, memory, rng);
     if (!cell) break;
     here = hall.world.area().point(*cell);
   }
@@ -37,7 +37,7 @@ TEST(GreedyPlace, GoesAnywhereOnceAllIsSeen) {
   memory.look(hall.world, {1.5, 3.5});
   memory.look(hall.world, {3.5, 1.5});
   Rng rng{1};
-  EXPECT_TRUE(greedy_place(1.5)->choose({2.0, 2.0}, hall.world, memory, rng));
+  EXPECT_TRUE(greedy_place(1.5)->choose(*hall.world.ways_from({2.0, 2.0}), hall.world, memory, rng));
 }
 
 TEST(LawnmowerPlace, SeesAHallLaneByLane) {
@@ -58,9 +58,11 @@ TEST(LawnmowerPlace, EverySecondLaneGoesBackAndTheWholeBeginsAgain) {
   Rng rng{1};
   const auto lawnmower = lawnmower_place(4.0);
   std::optional<int> last;
-  for (std::size_t i = 0; i < stops.size(); ++i) last = lawnmower->choose({2.0, 2.0}, hall.world, memory, rng);
+  for (std::size_t i = 0; i < stops.size(); ++i)
+    last = lawnmower->choose(*hall.world.ways_from({2.0, 2.0}), hall.world, memory, rng);
   EXPECT_EQ(last, stops.back());
-  EXPECT_EQ(lawnmower->choose({2.0, 2.0}, hall.world, memory, rng), stops.back());  // and back again
+  EXPECT_EQ(lawnmower->choose(*hall.world.ways_from({2.0, 2.0}), hall.world, memory, rng),
+            stops.back());  // and back again
 }
 
 TEST(LawnmowerPlace, BeginsAtItsNearerEnd) {
@@ -68,7 +70,9 @@ TEST(LawnmowerPlace, BeginsAtItsNearerEnd) {
   OwnMemory memory(hall.world);
   Rng rng{1};
   const auto stops = lawnmower_stops(hall.world.area(), 4.0);
-  EXPECT_EQ(lawnmower_place(4.0)->choose(hall.world.area().point(stops.back()), hall.world, memory, rng), stops.back());
+  EXPECT_EQ(lawnmower_place(4.0)->choose(*hall.world.ways_from(hall.world.area().point(stops.back())), hall.world,
+                                         memory, rng),
+            stops.back());
 }
 
 TEST(RandomPlace, EqualSeedsChooseEqualPlaces) {
@@ -78,8 +82,8 @@ TEST(RandomPlace, EqualSeedsChooseEqualPlaces) {
   Rng other{3};
   const auto chooser = random_place();
   for (int i = 0; i < 10; ++i) {
-    EXPECT_EQ(chooser->choose({2.0, 2.0}, hall.world, memory, one),
-              chooser->choose({2.0, 2.0}, hall.world, memory, other));
+    EXPECT_EQ(chooser->choose(*hall.world.ways_from({2.0, 2.0}), hall.world, memory, one),
+              chooser->choose(*hall.world.ways_from({2.0, 2.0}), hall.world, memory, other));
   }
 }
 
