@@ -42,14 +42,17 @@ constexpr std::int64_t kNoLimit = 1'000'000;  ///< of rollouts, where time is th
 
 StudyPlan plan_of(const StudyOptions& options) {
   const fs::path root = options.config.empty() ? default_config_root() : fs::path{options.config};
-  StudyPlan plan{.scenario = simulator::load_scenario(scenario_file(options.scenario, root)),
-                 .map = load_map(simulator::load_scenario(scenario_file(options.scenario, root)).map_file),
-                 .team = {}};
+  const auto scenario = simulator::load_scenario(scenario_file(options.scenario, root));
+  StudyPlan plan{.scenario = scenario, .map = load_map(scenario.map_file), .team = {}};
   plan.team.planner = load_config<PlannerConfig>(root / "simulation" / "laptop" / "planner.toml");
   plan.team.navigator = load_config<navigator::NavigatorConfig>(root / "simulation" / "robot" / "navigator.toml");
   plan.team.tracking = load_config<tracking::TrackingConfig>(root / "simulation" / "robot" / "tracker.toml");
   if (!options.planner.empty()) plan.team.planner.planner = options.planner;
-  (void)make_planner(plan.team.planner.planner);  // refuses a wrong name at once
+  try {
+    (void)make_planner(plan.team.planner.planner);
+  } catch (const ConfigError& error) {
+    throw WrongUse{std::string{"study: "} + error.what()};
+  }
   if (options.rollouts >= 0) plan.team.planner.rollouts = options.rollouts;
   if (options.budget_ms > 0.0) plan.team.planner.rollouts = kNoLimit;
   if (options.limit_s > 0.0) plan.scenario.limit_s = options.limit_s;
