@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kHalfTurn_rad = std::numbers::pi;
 
-/// Shares at which agent 0 meets the boundary; the other agent is 1, called "b".
+/// Shares at which agent 0 meets the boundary; the others are called "b" and "c".
 std::vector<double> meetings(const Boundary& boundary, const std::vector<AgentMove>& moves, double duration_s = 1.0,
                              double level = 0.0) {
   std::vector<double> shares;
-  append_level_crossings(resolved(boundary, {"a", "b"}), level, 0, {moves, duration_s}, shares);
+  append_level_crossings(resolved(boundary, {"a", "b", "c"}), level, 0, {moves, duration_s}, shares);
   std::sort(shares.begin(), shares.end());
   return shares;
 }
@@ -65,8 +65,10 @@ TEST(ResolvedBoundary, ACorridorBetweenTwoIsMetThoughItStretches) {
 }
 
 TEST(ResolvedBoundary, ACorridorThatOnlyMovesIsMetExactly) {
-  const auto shares = meetings(Between{Anchor{.agent = "b"}, Anchor{.agent = "b"}, 1.0},
-                               {stay_at({5, 0}), straight_move({0, 0}, {10, 0})}, 10.0);
+  // b and c walk side by side, 2 m apart; a stands in their way.
+  const auto shares =
+      meetings(Between{Anchor{.agent = "b"}, Anchor{.agent = "c"}, 1.0},
+               {stay_at({5, 0}), straight_move({0, -1}, {10, -1}), straight_move({0, 1}, {10, 1})}, 10.0);
   ASSERT_EQ(shares.size(), 2u);
   EXPECT_NEAR(shares[0], 0.4, 1e-15);
   EXPECT_NEAR(shares[1], 0.6, 1e-15);
