@@ -74,6 +74,10 @@ TEST(RewardWorld, SaysWhatIsWrongAndWhere) {
        },
        "relations[1]"},
       {[](RewardWorld& w) {
+         w.relations = {codependent("a", "b", 0.5), codependent("b", "a", 0.5)};
+       },
+       "relations[1]"},
+      {[](RewardWorld& w) {
          w.sources[0].pool = std::numeric_limits<double>::infinity();
          w.relations = {strict("a", "b")};
        },
