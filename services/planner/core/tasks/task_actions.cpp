@@ -106,8 +106,7 @@ void TaskModel::add_stays(const TaskState& state, TaskAction action, std::int64_
   const std::int64_t arrival = arrival_ms(state, action);
   const double draw = draw_per_s(agent, s, travels_[agent].point(action.place));
   const double all_of_it = left(state, s);
-  const bool is_open = std::ranges::all_of(world_.sources()[s].opened_by,
-                                           [&](std::size_t gate) { return state.rewards.through[gate] != 0; });
+  const bool is_open = is_opened(world_.sources()[s], state.rewards);
   const std::int64_t done_ms = is_open && std::isfinite(all_of_it) ? arrival + drawing_ms(all_of_it, draw)
                                                                    : std::numeric_limits<std::int64_t>::max();
   action.until = StayEnd::InTimeFor;

@@ -176,9 +176,11 @@ bool TaskModel::is_over(const TaskState& state, std::size_t agent) const {
     case Occupation::Visiting:
     case Occupation::Accompanying: {
       const auto s = static_cast<std::size_t>(one.action.source);
-      if (state.now_ms >= one.leave_ms || left(state, s) <= 0.0 || is_silenced(state, s, agent)) return true;
+      const ResolvedSource& source = world_.sources()[s];
+      if (state.now_ms >= one.leave_ms || left(state, s) <= 0.0) return true;
+      if (is_silenced(source, agent, world_, state.rewards)) return true;
       if (one.action.until != StayEnd::Triggered) return false;
-      return std::ranges::all_of(gates_of_pool_[world_.sources()[s].pool],
+      return std::ranges::all_of(gates_of_pool_[source.pool],
                                  [&](std::size_t gate) { return state.rewards.through[gate] != 0; });
     }
     default:

@@ -144,7 +144,7 @@ void TaskModel::find_messages() {
 
 TaskState TaskModel::start() {
   TaskState state;
-  state.rewards = RewardAccount{world_}.state();
+  state.rewards = initial_state(world_);
   state.told = messages_.size() == 1 ? 0 : -1;
   for (std::size_t a = 0; a < agent_count(); ++a) {
     const TaskAgent& agent = problem_.agents[a];
@@ -201,16 +201,10 @@ bool TaskModel::is_known(const TaskState& state, std::size_t source, std::size_t
   return known_[agent][source] || (state.told > 0 && told_[static_cast<std::size_t>(state.told)][agent][source]);
 }
 
-bool TaskModel::is_silenced(const TaskState& state, std::size_t source, std::size_t agent) const {
-  return std::ranges::any_of(world_.sources()[source].silenced_by, [&](std::size_t gate) {
-    return state.rewards.through[gate] != 0 && (world_.gates()[gate].agents & mask_of(agent)) != 0;
-  });
-}
-
 bool TaskModel::is_hopeful(const TaskState& state, std::size_t source, std::size_t agent) const {
   const ResolvedSource& the_source = world_.sources()[source];
   if ((the_source.targets & mask_of(agent)) == 0 || left(state, source) <= 0.0) return false;
-  if (is_silenced(state, source, agent)) return false;
+  if (is_silenced(the_source, agent, world_, state.rewards)) return false;
   return std::ranges::all_of(the_source.opened_by, [&](std::size_t gate) {
     if (state.rewards.through[gate] != 0) return true;
     const ResolvedPool& pool = world_.pools()[world_.gates()[gate].pool];

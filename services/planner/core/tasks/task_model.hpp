@@ -106,7 +106,6 @@ class TaskModel {
   void advance(TaskState& state, std::int64_t until_ms);
   void end_actions(TaskState& state);
   [[nodiscard]] bool is_over(const TaskState& state, std::size_t agent) const;
-  [[nodiscard]] bool is_silenced(const TaskState& state, std::size_t source, std::size_t agent) const;
 
   const TaskProblem& problem_;
   ResolvedWorld world_;

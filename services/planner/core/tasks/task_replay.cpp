@@ -86,7 +86,7 @@ TaskPlan replayed(TaskModel& model, const std::vector<TaskAction>& decisions) {
   for (std::size_t a = 0; a < model.agent_count(); ++a) {
     state.agents[a].point_in_map = model.problem().agents[a].start.position();
   }
-  state.rewards = RewardAccount{model.world()}.state();
+  state.rewards = initial_state(model.world());
   Recorder recorder{model, state, plan};
   model.observe(&recorder);
   state = model.start();

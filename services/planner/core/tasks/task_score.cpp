@@ -54,9 +54,7 @@ double TaskScore::operator()(const TaskState& state, const TaskAction& action, d
   const double draw = model_.draw_per_s(agent, s, model_.place(agent, action.place));
   const double rest_s = std::max(0.0, static_cast<double>(model_.limit_ms(agent) - state.now_ms) * 1e-3 - way_s);
   const double drawn = std::min(model_.left(state, s), draw * rest_s);
-  const bool is_open = std::ranges::all_of(source.opened_by,
-                                           [&](std::size_t gate) { return state.rewards.through[gate] != 0; });
-  double gain = drawn * source.worth[agent] * (is_open ? 1.0 : kShareBlocked);
+  double gain = drawn * source.worth[agent] * (is_opened(source, state.rewards) ? 1.0 : kShareBlocked);
   for (const std::size_t after : opens_[s]) {
     double most = 0.0;
     for (std::size_t a = 0; a < model_.agent_count(); ++a) {
