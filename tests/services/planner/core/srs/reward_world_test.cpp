@@ -7,12 +7,14 @@
 namespace tandem {
 namespace {
 
-TEST(RewardWorld, RefusesACircleOfStrictRelations) {
-  RewardWorld world{{disc_source("a", {0, 0}, 1, 1), disc_source("b", {0, 0}, 1, 1)}, {}};
-  world.relations.push_back({RelationKind::Strict, "a", "b", 1.0, {}});
-  EXPECT_FALSE(problem_of(world));
-  world.relations.push_back({RelationKind::Strict, "b", "a", 1.0, {}});
-  EXPECT_TRUE(problem_of(world));
+TEST(RewardWorld, NamesACircleOfStrictRelations) {
+  RewardWorld world = world_of({"x"}, {disc_source("a", {0, 0}, 1, 1, 1), disc_source("b", {0, 0}, 1, 1, 1)});
+  EXPECT_FALSE(add_relation(world, strict("a", "b")));
+  const auto problem = add_relation(world, strict("b", "a"));
+
+  ASSERT_TRUE(problem);
+  EXPECT_NE(problem->what.find("a => b => a"), std::string::npos) << problem->what;
+  EXPECT_EQ(world.relations.size(), 1u);
 }
 
 }  // namespace
