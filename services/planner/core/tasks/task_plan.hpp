@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -43,8 +45,8 @@ struct TaskPlan {
   RewardRecord record;                          ///< Events and who was paid by which source.
   std::int64_t rollouts = 0;
 
-  /// No better plan exists.
-  [[nodiscard]] bool is_proven() const { return upper_bound <= value + 1e-9; }
+  /// No plan is worth more, but for rounding.
+  [[nodiscard]] bool is_proven() const { return upper_bound <= value + 1e-7 * std::max(1.0, std::abs(value)); }
 };
 
 }  // namespace tandem

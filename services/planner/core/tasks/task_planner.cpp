@@ -118,7 +118,7 @@ double TaskPlanner::value() const {
 }
 
 double TaskPlanner::upper_bound() const {
-  return std::max(impl_->tree.bound(), impl_->best.value());
+  return impl_->tree.is_finished() ? impl_->best.value() : std::max(impl_->tree.bound(), impl_->best.value());
 }
 
 std::optional<TaskPlan> TaskPlanner::best() {

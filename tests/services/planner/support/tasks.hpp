@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "services/planner/core/tasks/task_planner.hpp"
+#include "tests/services/planner/support/sources.hpp"
 
 namespace tandem {
 
@@ -20,29 +21,9 @@ inline TaskAgent task_agent(const std::string& id, double x, double y) {
 
 /// A source so small that one has to walk to its point, consumed in an instant.
 inline RewardSource spot(const std::string& id, double x, double y, double pool, std::vector<std::string> targets = {}) {
-  RewardSource source;
-  source.id = id;
-  source.boundary = Disc{{x, y}, 0.001};
-  source.inside = constant_ratio(pool * 1e4);
-  source.pool = pool;
+  RewardSource source = disc_source(id, {x, y}, 0.001, pool * 1e4, pool);
   source.targets = std::move(targets);
   return source;
-}
-
-inline Relation strict(const std::string& from, const std::string& to) {
-  Relation relation;
-  relation.kind = RelationKind::Strict;
-  relation.from = from;
-  relation.to = to;
-  return relation;
-}
-
-inline Relation soft(const std::string& from, const std::string& to) {
-  Relation relation;
-  relation.kind = RelationKind::Soft;
-  relation.from = from;
-  relation.to = to;
-  return relation;
 }
 
 /// On an open plane.
