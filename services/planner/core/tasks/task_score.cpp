@@ -16,6 +16,13 @@ constexpr double kRest_s = 0.5;         ///< no action counts as shorter
 
 TaskScore::TaskScore(TaskModel& model) : model_(model) {
   const ResolvedWorld& world = model.world();
+  const double horizon_s = static_cast<double>(model.horizon_ms()) * 1e-3;
+  double most = 0.0;
+  for (const ResolvedSource& source : world.sources()) {
+    const double peak = std::abs(peak_of(source.inside)) * horizon_s;
+    most = std::max(most, std::min(peak, std::abs(world.pools()[source.pool].size)));
+  }
+  if (most > 0.0) unit_ = most;
   opens_.resize(world.sources().size());
   silences_.resize(world.sources().size());
   for (std::size_t s = 0; s < world.sources().size(); ++s) {
@@ -48,7 +55,7 @@ double TaskScore::operator()(const TaskState& state, const TaskAction& action, d
   const auto s = static_cast<std::size_t>(action.source);
   const ResolvedSource& source = model_.world().sources()[s];
   if (action.kind == TaskActionKind::Accompany) {
-    return std::max(kLeast, std::min(model_.left(state, s), peak_of(source.inside)) * source.worth[agent]);
+    return std::max(kLeast, worth_of(state, s, agent) / unit_);
   }
   const double way_s = static_cast<double>(model_.arrival_ms(state, action) - state.now_ms) * 1e-3;
   const double draw = model_.draw_per_s(agent, s, model_.place(agent, action.place));
@@ -70,6 +77,7 @@ double TaskScore::operator()(const TaskState& state, const TaskAction& action, d
     gain -= kShareSilenced * most;
   }
   gain -= model_.cost_of_walking_per_s(agent) * way_s + model_.hazard_cost(state, action);
+  gain /= unit_;
   const double time_s = kRest_s + way_s + (draw > 0.0 ? drawn / draw : 0.0);
   return gain > 0.0 ? kLeast + gain / std::pow(time_s, impatience) : kLeast / (1.0 - gain);
 }

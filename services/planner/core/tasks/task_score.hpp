@@ -16,6 +16,7 @@ class TaskScore {
   [[nodiscard]] double worth_of(const TaskState& state, std::size_t source, std::size_t agent) const;
 
   TaskModel& model_;
+  double unit_ = 1.0;  ///< the largest reward of any source: scores do not change when all rewards are scaled
   std::vector<std::vector<std::size_t>> opens_;     ///< by source: sources that wait for it
   std::vector<std::vector<std::size_t>> silences_;  ///< by source: sources that pay only before it is consumed
 };
