@@ -178,7 +178,9 @@ PlanningScenario parse_planning_scenario(std::string_view json, const std::files
   }
   if (scenario.agents.empty() || scenario.agents.size() > 8) root.fail("agents", "must be 1 to 8 agents");
   add_layers(scenario);
-  scenario.world = parse_reward_world(root, ids);
+  const auto* map_file = std::get_if<std::filesystem::path>(&scenario.place);
+  const NamedAreas map_areas = map_file != nullptr ? load_areas_beside(*map_file) : NamedAreas{};
+  scenario.world = reward_world_from(root, ids, map_areas);
   if (root.has("search")) scenario.search = search_of(root.object("search"));
   scenario.horizon_s = root.number_or("horizon_s", scenario.horizon_s, {0.0, 36000.0});
   root.refuse_unknown_keys();

@@ -2,9 +2,10 @@
 
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
-#include "services/planner/core/srs/boundary.hpp"
+#include "services/planner/core/srs/planar_shape.hpp"
 
 namespace tandem {
 namespace {
@@ -21,7 +22,7 @@ double density_at(const ScenarioSearch& search, const Vector2d& first_start, con
         peak.weight * std::exp(-0.5 * off * off) / (2.0 * std::numbers::pi * peak.deviation_m * peak.deviation_m);
   }
   for (const PriorArea& area : search.areas) {
-    if (contains(Polygon{area.corners_in_map}, point)) density *= area.weight;
+    if (contains(PlanarShape{Polygon{area.corners_in_map}}, point)) density *= area.weight;
   }
   return density;
 }
