@@ -70,10 +70,18 @@ void DrawList::add_contact(const ResolvedWorld& world, const RewardState& state,
   contacts_.push_back({pool, agent, source, false, false});
 }
 
-void DrawList::begin_part(const ResolvedWorld& world, const JointMove& joint, double share) {
+void DrawList::begin_part(const ResolvedWorld& world, const JointMove& joint, double from_share, double to_share) {
   for (Contact& contact : contacts_) {
-    const auto vector = vector_to(world.sources()[contact.source].boundary, contact.agent, joint, share);
-    contact.inside = vector.distance <= kOnBoundary_m;
+    const auto distance_at = [&](double part) {
+      const double share = std::lerp(from_share, to_share, part);
+      return vector_to(world.sources()[contact.source].boundary, contact.agent, joint, share).distance;
+    };
+    double distance = distance_at(0.5);
+    // On the boundary in the middle: it goes along the boundary, or touches it in passing, which does not count.
+    for (const double part : {0.2, 0.7}) {
+      if (std::abs(distance) <= kOnBoundary_m) distance = distance_at(part);
+    }
+    contact.inside = distance <= kOnBoundary_m;
   }
 }
 
@@ -143,29 +151,29 @@ double DrawList::per_s_at(const Draw& draw, const ResolvedWorld& world, const Jo
 }
 
 double DrawList::steady_amount(const Draw& draw, const ResolvedWorld& world, const JointMove& joint, double from_s,
-                               double to_s) const {
-  if (draw.constant) return draw.per_s * (to_s - from_s);
-  return integral([&](double time_s) { return per_s_at(draw, world, joint, time_s); }, from_s, to_s,
-                  kTolerance * std::abs(draw.per_s) * (to_s - from_s));
+                               double length_s) const {
+  if (draw.constant) return draw.per_s * length_s;
+  return integral([&](double later_s) { return per_s_at(draw, world, joint, from_s + later_s); }, 0.0, length_s,
+                  kTolerance * std::abs(draw.per_s) * length_s);
 }
 
 double DrawList::own_loss(std::size_t pool, const ResolvedWorld& world, const JointMove& joint, double from_s,
-                          double to_s) const {
-  double sum = outflow_per_s_[pool] * (to_s - from_s);
+                          double length_s) const {
+  double sum = outflow_per_s_[pool] * length_s;
   if (varies_[pool] == 0) return sum;
   for (const Draw& draw : draws_) {
     if (draw.pool == pool && draw.takes && !draw.constant) {
-      sum += std::abs(steady_amount(draw, world, joint, from_s, to_s));
+      sum += std::abs(steady_amount(draw, world, joint, from_s, length_s));
     }
   }
   return sum;
 }
 
 double DrawList::loss(std::size_t pool, const ResolvedWorld& world, const JointMove& joint, double from_s,
-                      double to_s) const {
-  double sum = own_loss(pool, world, joint, from_s, to_s);
+                      double length_s) const {
+  double sum = own_loss(pool, world, joint, from_s, length_s);
   for (const auto& coupling : world.pools()[pool].couplings) {
-    sum += coupling.coupling * own_loss(coupling.pool, world, joint, from_s, to_s);
+    sum += coupling.coupling * own_loss(coupling.pool, world, joint, from_s, length_s);
   }
   return sum;
 }
@@ -190,13 +198,13 @@ double DrawList::time_until(double amount, std::size_t pool, const ResolvedWorld
   double low_s = 0.0;
   double high_s = end_s - now_s;
   double missing_low = -amount;
-  double missing_high = loss(pool, world, joint, now_s, end_s) - amount;
+  double missing_high = loss(pool, world, joint, now_s, end_s - now_s) - amount;
   if (missing_high < 0.0) return kNever;
   int side = 0;
   for (int i = 0; i < 100 && high_s - low_s > 1e-14 * (end_s - now_s); ++i) {
     double at_s = (low_s * missing_high - high_s * missing_low) / (missing_high - missing_low);
     if (!(at_s > low_s && at_s < high_s)) at_s = 0.5 * (low_s + high_s);
-    const double missing = loss(pool, world, joint, now_s, now_s + at_s) - amount;
+    const double missing = loss(pool, world, joint, now_s, at_s) - amount;
     if (std::abs(missing) <= kTolerance * amount) return at_s;
     if (missing > 0.0) {
       high_s = at_s;

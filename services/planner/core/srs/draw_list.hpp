@@ -48,8 +48,8 @@ class DrawList {
   /// Ascending, from 0 to 1.
   [[nodiscard]] const std::vector<double>& shares() const { return shares_; }
 
-  /// Decides for each contact whether it is inside in the part of the move around this share.
-  void begin_part(const ResolvedWorld& world, const JointMove& joint, double share);
+  /// Decides for each contact whether it is inside between two neighbouring shares.
+  void begin_part(const ResolvedWorld& world, const JointMove& joint, double from_share, double to_share);
   [[nodiscard]] std::vector<Contact>& contacts() { return contacts_; }
 
   /// Finds who draws now.
@@ -66,9 +66,9 @@ class DrawList {
   /// What the draw takes per second at a time of the joint move, signed.
   [[nodiscard]] double per_s_at(const Draw& draw, const ResolvedWorld& world, const JointMove& joint,
                                 double time_s) const;
-  /// What a draw from a steady pool takes between two times, signed.
+  /// What a draw from a steady pool takes in a while from a time on, signed.
   [[nodiscard]] double steady_amount(const Draw& draw, const ResolvedWorld& world, const JointMove& joint,
-                                     double from_s, double to_s) const;
+                                     double from_s, double length_s) const;
   /// What is drawn per second from a pool by those who take from it directly, if that is constant.
   [[nodiscard]] double outflow_per_s(std::size_t pool) const { return outflow_per_s_[pool]; }
 
@@ -78,11 +78,11 @@ class DrawList {
   void add_draw(const ResolvedWorld& world, const RewardState& state, std::size_t first, std::size_t last);
   [[nodiscard]] double time_until(double amount, std::size_t pool, const ResolvedWorld& world, const RewardState& state,
                                   const JointMove& joint, double now_s, double end_s) const;
-  /// What leaves a steady pool between two times, through codependence too.
+  /// What leaves a steady pool in a while from a time on, through codependence too.
   [[nodiscard]] double loss(std::size_t pool, const ResolvedWorld& world, const JointMove& joint, double from_s,
-                            double to_s) const;
+                            double length_s) const;
   [[nodiscard]] double own_loss(std::size_t pool, const ResolvedWorld& world, const JointMove& joint, double from_s,
-                                double to_s) const;
+                                double length_s) const;
 
   std::vector<Contact> contacts_;
   std::vector<double> shares_;

@@ -19,11 +19,11 @@ class EventExpectation {
   /// Whether the draw ends with an event that may have happened or may happen in the step.
   [[nodiscard]] bool concerns(const DrawList::Draw& draw) const;
 
-  /// What the draw takes until `then_s` in expectation, signed.
-  [[nodiscard]] double expected_amount(const DrawList::Draw& draw, const JointMove& joint, double then_s) const;
+  /// What the draw takes in the next `length_s` in expectation, signed.
+  [[nodiscard]] double expected_amount(const DrawList::Draw& draw, const JointMove& joint, double length_s) const;
 
  private:
-  [[nodiscard]] double probability(std::size_t event, double time_s) const;
+  [[nodiscard]] double probability(std::size_t event, double later_s) const;
 
   const ResolvedWorld& world_;
   const RewardState& state_;

@@ -68,6 +68,13 @@ inline constexpr double kOnBoundary_m = 1e-9;
 /// A disc that holds the shape; none if it has no end.
 [[nodiscard]] std::optional<Disc> enclosing_disc(const PlanarShape& shape);
 
+/// The shape in the frame in which its own frame lies at `origin`, turned by `heading_rad`.
+[[nodiscard]] PlanarShape moved(const PlanarShape& shape, const Eigen::Vector2d& origin, double heading_rad);
+
+/// A point well inside: the middle of a disc, of a corridor's longest part, some way behind the edge of a half-plane;
+/// in a polygon the deepest of the points that a grid over it tries.
+[[nodiscard]] Eigen::Vector2d inner_point(const PlanarShape& shape);
+
 /// What is degenerate about the shape, for people; none if nothing is.
 [[nodiscard]] std::optional<std::string> problem_of(const PlanarShape& shape);
 

@@ -194,6 +194,19 @@ bool is_somewhere(const ResolvedBoundary& boundary, const JointMove& joint) {
   return !std::holds_alternative<Nowhere>(boundary);
 }
 
+std::optional<PlanarShape> shape_at(const ResolvedBoundary& boundary, const JointMove& joint, double share) {
+  if (!is_somewhere(boundary, joint)) return std::nullopt;
+  if (const auto* corridor = std::get_if<MovingCorridor>(&boundary)) {
+    return Corridor{{anchor_at(corridor->from, joint, share), anchor_at(corridor->to, joint, share)},
+                    corridor->half_width_m};
+  }
+  const auto* placed = std::get_if<PlacedShape>(&boundary);
+  if (placed == nullptr) return std::nullopt;
+  if (placed->owner < 0) return placed->shape;
+  const AgentMove& owner = move_of(placed->owner, joint);
+  return moved(placed->shape, position(owner, share), std::lerp(owner.from_heading_rad, owner.to_heading_rad, share));
+}
+
 BoundaryVector vector_to(const ResolvedBoundary& boundary, std::size_t agent, const JointMove& joint, double share) {
   return std::visit(VectorTo{joint.moves[agent], joint, share}, boundary);
 }

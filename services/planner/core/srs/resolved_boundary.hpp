@@ -48,6 +48,11 @@ struct JointMove {
 [[nodiscard]] BoundaryVector vector_to(const ResolvedBoundary& boundary, std::size_t agent, const JointMove& joint,
                                        double share);
 
+/// The shape on the map that a planar boundary has at a share of the joint move; none for the other spaces, and where
+/// it is nowhere.
+[[nodiscard]] std::optional<PlanarShape> shape_at(const ResolvedBoundary& boundary, const JointMove& joint,
+                                                  double share);
+
 /// Appends the shares [0, 1] of the joint move at which the agent's signed distance is `level`, in no order; `level` 0
 /// is the boundary itself.
 ///

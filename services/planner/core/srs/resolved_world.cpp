@@ -109,4 +109,11 @@ double rate_of(const ResolvedSource& source, std::size_t agent, const JointMove&
   return ratio_at(ratio, vector) * source.pace[agent] * source.worth[agent];
 }
 
+double peak_rate_of(const ResolvedSource& source, std::size_t agent) {
+  if ((source.targets & mask_of(agent)) == 0) return 0.0;
+  const double inside = peak_of(source.inside);
+  const double outside = peak_of(source.outside);
+  return (std::abs(inside) >= std::abs(outside) ? inside : outside) * source.pace[agent] * source.worth[agent];
+}
+
 }  // namespace tandem

@@ -86,4 +86,7 @@ class ResolvedWorld {
 /// what it draws times what that is worth to it. Zero if it is no target.
 [[nodiscard]] double rate_of(const ResolvedSource& source, std::size_t agent, const JointMove& joint, double share);
 
+/// The most that a second can be worth to the agent, wherever it is: of the largest magnitude, signed [1/s].
+[[nodiscard]] double peak_rate_of(const ResolvedSource& source, std::size_t agent);
+
 }  // namespace tandem

@@ -10,6 +10,7 @@ namespace tandem {
 namespace {
 
 constexpr double kEmpty = 1e-12;  ///< the share of a pool below which nothing is left
+constexpr std::size_t kUnwatched = DrawList::Step::kNone;
 
 }  // namespace
 
@@ -31,6 +32,12 @@ double RewardAccount::drawn(std::size_t source) const {
 
 bool RewardAccount::is_consumed(std::size_t source) const {
   return state_.left[world_->sources()[source].pool] == 0.0;
+}
+
+bool RewardAccount::can_pay(std::size_t source, std::size_t agent) const {
+  const ResolvedSource& one = world_->sources()[source];
+  return (one.targets & mask_of(agent)) != 0 && state_.left[one.pool] > 0.0 &&
+         !is_silenced(one, agent, *world_, state_);
 }
 
 bool RewardAccount::is_open(std::size_t source, std::size_t agent) const {
@@ -57,19 +64,34 @@ void RewardAccount::consume(std::size_t source) {
 }
 
 void RewardAccount::advance(std::span<const AgentMove> moves, double duration_s, std::span<double> rewards) {
-  assert(moves.size() == world_->agent_count() && rewards.size() == moves.size() && duration_s >= 0.0);
-  if (duration_s <= 0.0) return;
-  const JointMove joint{moves, duration_s};
-  draws_.begin_move(*world_, state_, joint);
-  const auto& shares = draws_.shares();
-  for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-    if (shares[i + 1] > shares[i]) run(joint, shares[i], shares[i + 1], rewards);
-  }
-  state_.time_s += duration_s;
+  run({moves, duration_s}, kUnwatched, rewards);
 }
 
-void RewardAccount::run(const JointMove& joint, double from_share, double to_share, std::span<double> rewards) {
-  draws_.begin_part(*world_, joint, 0.5 * (from_share + to_share));
+double RewardAccount::advance_until_consumed(std::size_t source, std::span<const AgentMove> moves, double duration_s,
+                                             std::span<double> rewards) {
+  return run({moves, duration_s}, world_->sources()[source].pool, rewards);
+}
+
+double RewardAccount::run(const JointMove& joint, std::size_t watched_pool, std::span<double> rewards) {
+  assert(joint.moves.size() == world_->agent_count() && rewards.size() == joint.moves.size());
+  assert(joint.duration_s >= 0.0);
+  double now_s = 0.0;
+  const auto is_over = [&] { return watched_pool != kUnwatched && state_.left[watched_pool] == 0.0; };
+  if (joint.duration_s > 0.0 && !is_over()) {
+    draws_.begin_move(*world_, state_, joint);
+    const auto& shares = draws_.shares();
+    for (std::size_t i = 0; i + 1 < shares.size() && !is_over(); ++i) {
+      if (shares[i + 1] > shares[i]) now_s = run_part(joint, shares[i], shares[i + 1], watched_pool, rewards);
+    }
+  }
+  state_.time_s += now_s;
+  return now_s;
+}
+
+/// Gives the time of the joint move at which it ended.
+double RewardAccount::run_part(const JointMove& joint, double from_share, double to_share, std::size_t watched_pool,
+                               std::span<double> rewards) {
+  draws_.begin_part(*world_, joint, from_share, to_share);
   double now_s = from_share * joint.duration_s;
   const double end_s = to_share * joint.duration_s;
   while (now_s < end_s) {
@@ -78,9 +100,11 @@ void RewardAccount::run(const JointMove& joint, double from_share, double to_sha
     const DrawList::Step step = draws_.longest_step(*world_, state_, joint, now_s, end_s);
     pay(joint, now_s, step, rewards);
     take(step, state_.time_s + now_s + step.length_s);
-    if (step.ended_by == DrawList::Step::kNone) return;
+    if (step.ended_by == DrawList::Step::kNone) return end_s;
     now_s += step.length_s;
+    if (watched_pool != kUnwatched && state_.left[watched_pool] == 0.0) return now_s;
   }
+  return end_s;
 }
 
 /// Gates that wait for an entry and get one now; whether there were any.
@@ -101,7 +125,6 @@ bool RewardAccount::open_on_entry(double time_s) {
 }
 
 void RewardAccount::pay(const JointMove& joint, double now_s, const DrawList::Step& step, std::span<double> rewards) {
-  const double then_s = now_s + step.length_s;
   const EventExpectation expectation{*world_, state_, draws_, now_s};
   for (auto& draw : draws_.draws()) {
     const ResolvedSource& source = world_->sources()[draw.source];
@@ -111,9 +134,9 @@ void RewardAccount::pay(const JointMove& joint, double now_s, const DrawList::St
       reward = state_.left[draw.pool] * -std::expm1(-outflow_per_s * step.length_s) * draw.per_s / outflow_per_s;
       draw.amount = reward;
     } else {
-      reward = draws_.steady_amount(draw, *world_, joint, now_s, then_s);
+      reward = draws_.steady_amount(draw, *world_, joint, now_s, step.length_s);
       draw.amount = std::abs(reward);
-      if (expectation.concerns(draw)) reward = expectation.expected_amount(draw, joint, then_s);
+      if (expectation.concerns(draw)) reward = expectation.expected_amount(draw, joint, step.length_s);
     }
     reward *= source.worth[draw.agent];
     rewards[draw.agent] += reward;

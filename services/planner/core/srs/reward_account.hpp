@@ -42,6 +42,11 @@ class RewardAccount {
   /// number, as many as the world has agents.
   void advance(std::span<const AgentMove> moves, double duration_s, std::span<double> rewards);
 
+  /// As advance, but stops at the instant the pool of `source` is empty. Gives the time that has gone by [s]; the rest
+  /// of the moves is the caller's to go on with.
+  double advance_until_consumed(std::size_t source, std::span<const AgentMove> moves, double duration_s,
+                                std::span<double> rewards);
+
   /// Consumes a source as a whole from outside, as an event does ("found").
   void consume(std::size_t source);
 
@@ -52,6 +57,9 @@ class RewardAccount {
   [[nodiscard]] bool is_consumed(std::size_t source) const;
   /// Whether the relations let the source pay the agent now; its pool is not asked.
   [[nodiscard]] bool is_open(std::size_t source, std::size_t agent) const;
+  /// Whether the source has anything left for the agent, now or once its predecessors are consumed; reward of the other
+  /// sign than the pool's aside.
+  [[nodiscard]] bool can_pay(std::size_t source, std::size_t agent) const;
   [[nodiscard]] double time_s() const { return state_.time_s; }
 
   /// To come back later: keep a copy, and restore it.
@@ -64,8 +72,10 @@ class RewardAccount {
   [[nodiscard]] const ResolvedWorld& world() const { return *world_; }
 
  private:
+  double run(const JointMove& joint, std::size_t watched_pool, std::span<double> rewards);
   /// Nobody crosses a boundary between the two shares.
-  void run(const JointMove& joint, double from_share, double to_share, std::span<double> rewards);
+  double run_part(const JointMove& joint, double from_share, double to_share, std::size_t watched_pool,
+                  std::span<double> rewards);
   bool open_on_entry(double time_s);
   void pay(const JointMove& joint, double now_s, const DrawList::Step& step, std::span<double> rewards);
   void take(const DrawList::Step& step, double time_s);

@@ -8,6 +8,10 @@ namespace {
 
 using Eigen::Vector2d;
 
+/// A way that is inside for less than two micrometres touches and does not cross: where it only just touches, rounding
+/// would decide.
+constexpr double kTouch_m2 = 1e-12;
+
 /// On the segment, given that it is on its line.
 bool lies_between(const Vector2d& a, const Vector2d& b, const Vector2d& point) {
   return (point - a).dot(point - b) <= 0.0;
@@ -65,7 +69,7 @@ void append_share(double share, std::vector<double>& shares) {
 
 void append_quadratic_roots(double a, double half_b, double c, std::vector<double>& shares) {
   const double discriminant = half_b * half_b - a * c;
-  if (a == 0.0 || discriminant < 0.0) return;
+  if (discriminant <= kTouch_m2 * a) return;
   const double root = std::sqrt(discriminant);
   // The root of the smaller magnitude comes from the other one: nothing is cancelled.
   const double larger = -(half_b + std::copysign(root, half_b));

@@ -34,7 +34,8 @@ namespace tandem {
 /// Appends the share if it lies in [0, 1].
 void append_share(double share, std::vector<double>& shares);
 
-/// Where a*s^2 + 2*half_b*s + c = 0 in [0, 1].
+/// Where a*s^2 + 2*half_b*s + c = 0 in [0, 1]: the squared distance to a round thing less its squared radius [m2].
+/// Nothing where it only touches.
 void append_quadratic_roots(double a, double half_b, double c, std::vector<double>& shares);
 
 /// Where the way meets the circle; nothing if the radius is negative.

@@ -54,7 +54,9 @@ TEST(SearchSources, T15TheLikelyRoomComesFirstThoughItIsFarther) {
   const auto expected_time_s = [&](double first, double second) {
     Course course{world};
     course.advance({straight_move({0, 0}, {first, 0})}, std::abs(first));
+    course.advance({stay_at({first, 0})}, 1e-7);  // the blink of an eye in which it is seen
     course.advance({straight_move({first, 0}, {second, 0})}, std::abs(second - first));
+    course.advance({stay_at({second, 0})}, 1e-7);
     return -course.record().paid[course.source("time_of_a")];
   };
   EXPECT_NEAR(expected_time_s(3.0, -1.0), 3.8, 1e-6);

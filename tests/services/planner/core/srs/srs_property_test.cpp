@@ -32,13 +32,13 @@ TEST(SrsProperty, T2CrossingADiscPaysForTheTimeInsideUntilThePoolIsEmpty) {
 
 TEST(SrsProperty, T3SplittingAMoveChangesNothing) {
   // As T2, with an outer ratio that fades, a ramp, and a shape attached to an agent that turns.
-  RewardSource fading = disc_source("fading", {1, 1}, 1.0, 1.0);
+  RewardSource fading = disc_source("fading", {1.2, 0.9}, 1.0, 1.0);
   fading.outside = {RatioShape::Exponential, -2.0, 0.0, 0.7, {}};
   RewardSource ramp = disc_source("ramp", {0, 0.3}, 2.0, 0.0, 4.0);
   ramp.inside = {RatioShape::Ramp, 0.0, 3.0, 1.0, {}};
   RewardSource ahead;
   ahead.id = "ahead_of_b";
-  ahead.boundary = Attached{"b", Disc{{1.5, 0}, 1.0}};
+  ahead.boundary = Attached{"b", Disc{{1.0, 0}, 1.5}};
   ahead.inside = {RatioShape::Exponential, 1.0, 4.0, 0.5, {}};
   const RewardWorld world = world_of({"a", "b"}, {disc_source("s", {0, 0}, 2.0, 3.0, 5.0), fading, ramp, ahead});
   AgentMove turning = straight_move({0, -1}, {0, 1});
