@@ -65,9 +65,7 @@ Relation random_relation(Rng& rng, const std::vector<RewardSource>& sources) {
   const std::size_t from = rng.index(to);
   const double draw = rng.uniform();
   Relation relation;
-  relation.kind = draw < 0.4   ? RelationKind::Strict
-                  : draw < 0.75 ? RelationKind::Soft
-                                : RelationKind::Codependent;
+  relation.kind = draw < 0.4 ? RelationKind::Strict : draw < 0.75 ? RelationKind::Soft : RelationKind::Codependent;
   relation.from = sources[from].id;
   relation.to = sources[to].id;
   if (relation.kind == RelationKind::Codependent) relation.coupling = rng.uniform() < 0.5 ? 1.0 : 0.5;

@@ -1,15 +1,14 @@
-#include <ctime>
-
-#include <cstdio>
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 
 #include "bench/planning/srs_worlds/srs_world.hpp"
 #include "bench/planning/srs_worlds/task_oracle.hpp"
 
-// Family S7: how often the task planner finds the optimum of small random worlds within its budget, and how far off it is
-// at worst. Usage: tandem_srs_worlds [first seed] [worlds] [budget ms] [most sources] [most oracle decisions]
+// Family S7: how often the task planner finds the optimum of small random worlds within its budget, and how far off it
+// is at worst. Usage: tandem_srs_worlds [first seed] [worlds] [budget ms] [most sources] [most oracle decisions]
 
 namespace {
 
@@ -60,15 +59,18 @@ int main(int argc, char** argv) {
       exact += gap < 1e-6 ? 1 : 0;
       worst = gap > worst ? gap : worst;
     }
-    std::printf("%4llu agents=%zu sources=%zu first=%.3f (%.1f ms) value=%.4f bound=%.4f rollouts=%lld %.0f ms %s oracle=%.4f%s "
-                "%lld decisions %.0f ms gap=%.4f%%\n",
-                static_cast<unsigned long long>(seed), problem.agents.size(), problem.world.sources.size(), first_value,
-                first_ms, value, planner.upper_bound(), static_cast<long long>(planner.rollouts()), used_ms,
-                planner.is_finished() ? "proven" : "open", best.value, best.is_complete ? "" : "?",
-                static_cast<long long>(best.decisions), oracle_ms, gap * 100.0);
+    std::printf(
+        "%4llu agents=%zu sources=%zu first=%.3f (%.1f ms) value=%.4f bound=%.4f rollouts=%lld %.0f ms %s "
+        "oracle=%.4f%s "
+        "%lld decisions %.0f ms gap=%.4f%%\n",
+        static_cast<unsigned long long>(seed), problem.agents.size(), problem.world.sources.size(), first_value,
+        first_ms, value, planner.upper_bound(), static_cast<long long>(planner.rollouts()), used_ms,
+        planner.is_finished() ? "proven" : "open", best.value, best.is_complete ? "" : "?",
+        static_cast<long long>(best.decisions), oracle_ms, gap * 100.0);
     std::fflush(stdout);
   }
   std::printf("optimum known %d of %llu; exact %d (%.1f %%), worst gap %.2f %%; proven within the budget %d\n", known,
-              static_cast<unsigned long long>(worlds), exact, 100.0 * exact / std::max(1, known), worst * 100.0, proven);
+              static_cast<unsigned long long>(worlds), exact, 100.0 * exact / std::max(1, known), worst * 100.0,
+              proven);
   return EXIT_SUCCESS;
 }

@@ -11,8 +11,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kInset_m = 0.05;     ///< stations at an edge lie so far inside
-constexpr double kLarge_m = 0.75;     ///< larger ones have stations at their edge
+constexpr double kInset_m = 0.05;  ///< stations at an edge lie so far inside
+constexpr double kLarge_m = 0.75;  ///< larger ones have stations at their edge
 constexpr int kRingPoints = 12;
 constexpr double kAlongEdge_m = 2.0;  ///< between stations along the edge of a polygon, or along a corridor
 

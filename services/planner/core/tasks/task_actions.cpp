@@ -148,8 +148,7 @@ std::int64_t TaskModel::arrival_ms(const TaskState& state, const TaskAction& act
   const auto agent = static_cast<std::size_t>(action.agent);
   const TaskAgentState& one = state.agents[agent];
   if (action.place < 0) return state.now_ms;
-  return state.now_ms +
-         leg(agent, place_of(agent, one), action.place, action.way, one.heading_rad)->duration_ms();
+  return state.now_ms + leg(agent, place_of(agent, one), action.place, action.way, one.heading_rad)->duration_ms();
 }
 
 double TaskModel::hazard_cost(const TaskState& state, const TaskAction& action) {

@@ -13,8 +13,6 @@ using Eigen::Vector2d;
 constexpr double kNever_s = 1e18;
 constexpr double kSlack = 1e-9;         ///< of sums in floating point
 constexpr double kShareOfSpeed = 0.98;  ///< rounding to milliseconds may slow a walk down a little
-constexpr int kPriceRounds = 2;
-constexpr int kPriceSteps = 9;
 
 /// The shape on the ground outside which the source pays nothing; none if it may pay anywhere.
 std::optional<PlanarShape> footprint(const ResolvedSource& source) {
@@ -43,6 +41,8 @@ TaskBound::TaskBound(const TaskModel& model) : model_(model), agents_(model.agen
   find_footprints();
   find_gaps();
   find_twins();
+  time_left_s_.assign(agents_, 0.0);
+  groups_.resize(twins_.size());
 }
 
 void TaskBound::find_footprints() {
@@ -70,7 +70,8 @@ void TaskBound::find_gaps() {
   }
   const auto pays = [&](std::size_t s) {
     return std::any_of(peak_.begin() + static_cast<std::ptrdiff_t>(s * agents_),
-                       peak_.begin() + static_cast<std::ptrdiff_t>((s + 1) * agents_), [](double p) { return p > 0.0; });
+                       peak_.begin() + static_cast<std::ptrdiff_t>((s + 1) * agents_),
+                       [](double p) { return p > 0.0; });
   };
   for (const ResolvedPool& pool : world.pools()) {
     bool apart = pool.sources.size() == 1 && shape_[pool.sources[0]].has_value() && pool.flow == Flow::Steady;
@@ -90,7 +91,7 @@ void TaskBound::find_twins() {
   std::vector<bool> is_taken(world.pools().size(), false);
   for (std::size_t i = 0; i < world.pools().size(); ++i) {
     if (is_taken[i]) continue;
-    auto& pools = twins_.emplace_back().pools;
+    auto& pools = twins_.emplace_back();
     for (std::size_t j = i; j < world.pools().size(); ++j) {
       if (is_taken[j] || !std::ranges::all_of(pools, [&](std::size_t k) { return are_twins(k, j); })) continue;
       is_taken[j] = true;
@@ -161,9 +162,8 @@ double TaskBound::opening_s(const TaskState& state, std::size_t source) {
     const ResolvedPool& pool = world.pools()[gate.pool];
     // A codependent source may drain it from anywhere.
     if (pool.is_event || !pool.couplings.empty()) continue;
-    const double missing = gate.on_entry || pool.flow != Flow::Steady
-                               ? 0.0
-                               : std::max(0.0, gate.amount - state.rewards.drawn[gate.pool]);
+    const double missing =
+        gate.on_entry || pool.flow != Flow::Steady ? 0.0 : std::max(0.0, gate.amount - state.rewards.drawn[gate.pool]);
     double earliest = kNever_s;
     double flow_per_s = 0.0;
     for (const std::size_t before : pool.sources) {
@@ -219,16 +219,15 @@ double TaskBound::value_without_time(const TaskState& state, std::size_t pool_in
   return value > 0.0 ? std::min(value, left * most_worth) : 0.0;
 }
 
-void TaskBound::add_item(const TaskState& state, std::size_t pool_index) {
+void TaskBound::add_item(const TaskState& state, std::size_t pool_index, std::vector<PoolItem>& items) {
   const std::size_t s = model_.world().pools()[pool_index].sources[0];
   const ResolvedSource& source = model_.world().sources()[s];
   const double left = state.rewards.left[pool_index];
-  Item item;
-  item.pool = pool_index;
+  PoolItem item;
   item.is_limited = std::isfinite(left);
   bool is_worth_it = false;
   for (std::size_t a = 0; a < agents_; ++a) {
-    Offer& offer = item.offers[a];
+    PoolOffer& offer = item.offers[a];
     const double time_s = span_s(state, s, a);
     if (time_s <= 0.0) continue;
     const double per_s = peak_[s * agents_ + a];
@@ -241,7 +240,7 @@ void TaskBound::add_item(const TaskState& state, std::size_t pool_index) {
     offer.value = all_s * per_s * source.worth[a] - cost_per_s * entry / offer.share;
     is_worth_it |= offer.value > 0.0;
   }
-  if (is_worth_it) items_.push_back(item);
+  if (is_worth_it) items.push_back(item);
 }
 
 /// What the ways that agents are on cost them for sure.
@@ -261,119 +260,36 @@ double TaskBound::settled_cost(const TaskState& state) const {
   return cost;
 }
 
-/// The bound on all items at the prices at hand.
-double TaskBound::priced() const {
-  double sum = 0.0;
-  for (std::size_t a = 0; a < agents_; ++a) sum += price_per_s_[a] * std::max(0.0, time_left_s_[a]);
-  for (const Twins& twins : twins_) {
-    double of_twins = 0.0;
-    for (std::size_t i = twins.first_item; i < twins.last_item; ++i) {
-      const Item& item = items_[i];
-      std::array<std::pair<double, double>, kMaxTaskAgents> gains;  // per whole pool, and share; best first
-      std::size_t count = 0;
-      for (std::size_t a = 0; a < agents_; ++a) {
-        const double gain = item.offers[a].value - price_per_s_[a] * item.offers[a].time_s;
-        if (gain <= 0.0 || item.offers[a].share <= 0.0) continue;
-        std::size_t at = count++;
-        for (; at > 0 && gains[at - 1].first < gain; --at) gains[at] = gains[at - 1];
-        gains[at] = {gain, item.offers[a].share};
-      }
-      double rest = item.is_limited ? 1.0 : static_cast<double>(agents_);
-      for (std::size_t k = 0; k < count && rest > 0.0; ++k) {
-        const double share = std::min(rest, gains[k].second);
-        of_twins += share * gains[k].first;
-        rest -= share;
-      }
-    }
-    sum += std::min(of_twins, twins.most);
-  }
-  return sum;
-}
-
-/// The bound at good prices: one agent's price after the other, by golden section (the bound is convex in each).
-double TaskBound::least_priced() {
-  price_per_s_.fill(0.0);
-  double best = priced();
-  if (items_.size() < 2) return best;
-  double highest = 0.0;
-  for (const Item& item : items_) {
-    for (std::size_t a = 0; a < agents_; ++a) {
-      if (item.offers[a].time_s > 0.0) highest = std::max(highest, item.offers[a].value / item.offers[a].time_s);
-    }
-  }
-  constexpr double kGolden = 0.6180339887498949;
-  for (int round = 0; round < kPriceRounds; ++round) {
-    for (std::size_t a = 0; a < agents_; ++a) {
-      const double kept = price_per_s_[a];
-      double best_price = kept;
-      double low = 0.0;
-      double high = highest;
-      const auto at = [&](double price) {
-        price_per_s_[a] = price;
-        const double value = priced();
-        if (value < best) {
-          best = value;
-          best_price = price;
-        }
-        return value;
-      };
-      double x = high - kGolden * (high - low);
-      double y = low + kGolden * (high - low);
-      double of_x = at(x);
-      double of_y = at(y);
-      for (int i = 0; i < kPriceSteps; ++i) {
-        if (of_x <= of_y) {
-          high = y;
-          y = x;
-          of_y = of_x;
-          x = high - kGolden * (high - low);
-          of_x = at(x);
-        } else {
-          low = x;
-          x = y;
-          of_x = of_y;
-          y = low + kGolden * (high - low);
-          of_y = at(y);
-        }
-      }
-      price_per_s_[a] = best_price;
-    }
-  }
-  return best;
-}
-
 double TaskBound::operator()(const TaskState& state) {
   if (model_.decider(state) == TaskModel::kNobody) return state.value;
   const ResolvedWorld& world = model_.world();
   find_reaches(state);
   opening_s_.assign(shape_.size(), -1.0);
-  items_.clear();
   double bound = state.value - settled_cost(state);
-  for (Twins& twins : twins_) {
-    twins.first_item = items_.size();
-    twins.most = 0.0;
+  for (std::size_t t = 0; t < twins_.size(); ++t) {
+    PoolItems& group = groups_[t];
+    group.items.clear();
     double worth = 0.0;
     double fullest = 0.0;
     double without_time = 0.0;
-    for (const std::size_t pool : twins.pools) {
+    for (const std::size_t pool : twins_[t]) {
       if (state.rewards.left[pool] <= 0.0 || world.pools()[pool].is_event) continue;
       for (const std::size_t s : world.pools()[pool].sources) {
         worth = std::max(worth, *std::ranges::max_element(world.sources()[s].worth));
       }
       fullest = std::max(fullest, state.rewards.left[pool]);
       if (is_apart_[pool]) {
-        add_item(state, pool);
+        add_item(state, pool, group.items);
       } else {
         without_time += value_without_time(state, pool);
       }
     }
-    twins.last_item = items_.size();
-    if (fullest <= 0.0 || worth <= 0.0) continue;
-    without_time = std::min(without_time, worth * fullest);
+    const double most = worth > 0.0 ? worth * fullest : 0.0;
+    without_time = std::min(without_time, most);
     bound += without_time;
-    twins.most = worth * fullest - without_time;
+    group.most = most > without_time ? most - without_time : 0.0;
   }
-  bound += least_priced();
+  bound += assigned_(groups_, time_left_s_);
   return bound + kSlack * std::max(1.0, std::abs(bound));
 }
 

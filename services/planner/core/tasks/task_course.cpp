@@ -192,9 +192,8 @@ void TaskModel::end_actions(TaskState& state) {
   std::uint32_t freed = 0;
   const auto end = [&](std::size_t a) {
     TaskAgentState& one = state.agents[a];
-    const bool is_last =
-        one.occupation == Occupation::GoingToGoal || state.now_ms >= limits_ms_[a] ||
-        (one.occupation == Occupation::Committed && problem_.agents[a].freedom == TaskFreedom::Fixed);
+    const bool is_last = one.occupation == Occupation::GoingToGoal || state.now_ms >= limits_ms_[a] ||
+                         (one.occupation == Occupation::Committed && problem_.agents[a].freedom == TaskFreedom::Fixed);
     state.makespan_ms = std::max(state.makespan_ms, state.now_ms);
     if (observer_ != nullptr) observer_->on_end(state, a);
     one.occupation = is_last ? Occupation::Done : Occupation::Free;

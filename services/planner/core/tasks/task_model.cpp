@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kStandReach_m = 0.5;       ///< how far from a start its nearest standpoint may be
+constexpr double kStandReach_m = 0.5;  ///< how far from a start its nearest standpoint may be
 constexpr double kSameSpot_m = 1e-6;
-constexpr std::size_t kMaxSubsetsOf = 4;    ///< so many messages are tried in all combinations
+constexpr std::size_t kMaxSubsetsOf = 4;  ///< so many messages are tried in all combinations
 
 /// Rounded up to whole milliseconds, but for what is only rounding of the computation.
 std::int64_t in_ms(double time_s) {
@@ -33,7 +33,8 @@ double walking_cost_per_s(const ResolvedWorld& world, std::size_t agent, double 
   moves[agent] = straight_move(Vector2d::Zero(), {speed_mps, 0.0});
   double cost = 0.0;
   for (const ResolvedSource& source : world.sources()) {
-    if (!std::holds_alternative<SpeedInterval>(source.boundary) || std::isfinite(world.pools()[source.pool].size)) continue;
+    if (!std::holds_alternative<SpeedInterval>(source.boundary) || std::isfinite(world.pools()[source.pool].size))
+      continue;
     if (!source.opened_by.empty() || !source.silenced_by.empty()) continue;
     cost -= std::min(0.0, rate_of(source, agent, {moves, 1.0}, 0.5));
   }

@@ -70,7 +70,9 @@ class TaskModel {
   [[nodiscard]] double draw_per_s(std::size_t agent, std::size_t source, const Eigen::Vector2d& point_in_map) const;
   /// What a second of walking costs the agent [1/s], >= 0.
   [[nodiscard]] double cost_of_walking_per_s(std::size_t agent) const { return cost_of_walking_per_s_[agent]; }
-  [[nodiscard]] const Eigen::Vector2d& place(std::size_t agent, int place) const { return travels_[agent].point(place); }
+  [[nodiscard]] const Eigen::Vector2d& place(std::size_t agent, int place) const {
+    return travels_[agent].point(place);
+  }
 
   /// Tells `observer` of everything that happens from now on; nullptr: nobody.
   void observe(TaskObserver* observer) { observer_ = observer; }
@@ -117,9 +119,9 @@ class TaskModel {
   std::vector<double> cost_of_walking_per_s_;
   std::deque<MotionMap> motion_maps_;
   std::deque<Hazards> hazards_;
-  std::vector<Travel> travels_;                          ///< by agent
+  std::vector<Travel> travels_;                              ///< by agent
   std::vector<std::vector<std::vector<Station>>> stations_;  ///< by agent and source, the middle first
-  std::vector<std::optional<int>> goal_places_;          ///< by agent
+  std::vector<std::optional<int>> goal_places_;              ///< by agent
   bool has_soft_relations_ = false;
   bool has_moving_sources_ = false;
   std::vector<std::vector<std::size_t>> gates_of_pool_;  ///< that wait for the pool

@@ -82,6 +82,7 @@ class TaskPlanner::Impl {
   Impl(TaskProblem given, Rng generator)
       : problem(std::move(given)), rng(generator), model(problem), best(model), tree(model, best) {
     tree.offer_greedy_plans();
+    tree.offer_plan_in_execution();
   }
 
   const TaskProblem problem;

@@ -35,10 +35,10 @@ struct TaskAgent {
 /// A team, a place and a world of reward sources to be consumed.
 struct TaskProblem {
   RewardWorld world;
-  std::vector<TaskAgent> agents;      ///< As many as the world has, in its order; at most kMaxTaskAgents.
-  std::vector<OccupancyGrid> layers;  ///< By TaskAgent::layer; none: an open plane.
-  double horizon_s = 60.0;            ///< All plans are compared over this time (digest A2).
-  std::vector<std::vector<TimedPath>> rejected;        ///< Plans that a person rejected: a path per agent (digest A6).
+  std::vector<TaskAgent> agents;                 ///< As many as the world has, in its order; at most kMaxTaskAgents.
+  std::vector<OccupancyGrid> layers;             ///< By TaskAgent::layer; none: an open plane.
+  double horizon_s = 60.0;                       ///< All plans are compared over this time (digest A2).
+  std::vector<std::vector<TimedPath>> rejected;  ///< Plans that a person rejected: a path per agent (digest A6).
   std::vector<std::vector<std::string>> in_execution;  ///< The sources that each agent is on its way to now, in order.
 };
 

@@ -45,11 +45,16 @@ double TaskScore::worth_of(const TaskState& state, std::size_t source, std::size
 
 double TaskScore::operator()(const TaskState& state, const TaskAction& action, double impatience) {
   switch (action.kind) {
-    case TaskActionKind::Tell: return action.source == 0 ? 1.0 : 0.5;
-    case TaskActionKind::Goal: return 0.05;
-    case TaskActionKind::Hold: return 0.02;
-    case TaskActionKind::Wait: return kLeast;
-    default: break;
+    case TaskActionKind::Tell:
+      return action.source == 0 ? 1.0 : 0.5;
+    case TaskActionKind::Goal:
+      return 0.05;
+    case TaskActionKind::Hold:
+      return 0.02;
+    case TaskActionKind::Wait:
+      return kLeast;
+    default:
+      break;
   }
   const auto agent = static_cast<std::size_t>(action.agent);
   const auto s = static_cast<std::size_t>(action.source);

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <string>
+#include <utility>
 
 namespace tandem {
 namespace {
@@ -80,8 +81,8 @@ std::size_t TaskTree::select(const Node& node) const {
       visits = below.visits;
     }
     ++open;
-    const double urgency = (std::max(value, lowest_) - lowest_) / range +
-                           options_.exploration * child.prior * root / (1.0 + visits);
+    const double urgency =
+        (std::max(value, lowest_) - lowest_) / range + options_.exploration * child.prior * root / (1.0 + visits);
     if (best == node.children.size() || urgency > best_urgency) {
       best = i;
       best_urgency = urgency;
@@ -104,26 +105,12 @@ void TaskTree::close(Node& node) {
   node.state.rewards = {};
 }
 
-/// Goes on from `state` to the end and offers the plan; gives its value.
-double TaskTree::finish(TaskState state, std::vector<TaskAction>& decisions, double impatience, Rng* rng) {
+/// Goes on from `state` to the end and offers the plan; gives its value. `choice` picks one of actions_.
+template <typename Choice>
+double TaskTree::finish(TaskState state, std::vector<TaskAction>& decisions, const Choice& choice) {
   while (model_.decider(state) != TaskModel::kNobody) {
     model_.actions(state, actions_);
-    std::size_t chosen = 0;
-    if (rng != nullptr && rng->uniform() < kShareUniform) {
-      chosen = rng->index(actions_.size());
-    } else {
-      scores_.clear();
-      for (const TaskAction& action : actions_) {
-        scores_.push_back(std::pow(score_(state, action, impatience), rng == nullptr ? 1.0 : kSharpness));
-      }
-      if (rng == nullptr) {
-        chosen = static_cast<std::size_t>(std::ranges::max_element(scores_) - scores_.begin());
-      } else {
-        double draw = rng->uniform() * std::accumulate(scores_.begin(), scores_.end(), 0.0);
-        while (chosen + 1 < scores_.size() && draw >= scores_[chosen]) draw -= scores_[chosen++];
-      }
-    }
-    decisions.push_back(actions_[chosen]);
+    decisions.push_back(actions_[choice(state)]);
     state = model_.after(state, decisions.back());
   }
   incumbent_.offer(decisions, state);
@@ -132,11 +119,60 @@ double TaskTree::finish(TaskState state, std::vector<TaskAction>& decisions, dou
   return state.value;
 }
 
+std::size_t TaskTree::greedy_choice(const TaskState& state, double impatience) {
+  scores_.clear();
+  for (const TaskAction& action : actions_) scores_.push_back(score_(state, action, impatience));
+  return static_cast<std::size_t>(std::ranges::max_element(scores_) - scores_.begin());
+}
+
+std::size_t TaskTree::random_choice(const TaskState& state, double impatience, Rng& rng) {
+  if (rng.uniform() < kShareUniform) return rng.index(actions_.size());
+  scores_.clear();
+  double sum = 0.0;
+  for (const TaskAction& action : actions_) {
+    scores_.push_back(std::pow(score_(state, action, impatience), kSharpness));
+    sum += scores_.back();
+  }
+  double draw = rng.uniform() * sum;
+  std::size_t chosen = 0;
+  while (chosen + 1 < scores_.size() && draw >= scores_[chosen]) draw -= scores_[chosen++];
+  return chosen;
+}
+
+double TaskTree::finish_at_random(TaskState state, std::vector<TaskAction>& decisions, Rng& rng) {
+  const double impatience = rng.uniform(0.2, 1.6);
+  return finish(std::move(state), decisions, [&](const TaskState& now) { return random_choice(now, impatience, rng); });
+}
+
 void TaskTree::offer_greedy_plans() {
   for (const double impatience : kGreedyImpatience) {
     std::vector<TaskAction> decisions;
-    (void)finish(nodes_.front().state, decisions, impatience, nullptr);
+    (void)finish(nodes_.front().state, decisions,
+                 [&](const TaskState& state) { return greedy_choice(state, impatience); });
   }
+}
+
+void TaskTree::offer_plan_in_execution() {
+  const auto& sequences = model_.problem().in_execution;
+  if (sequences.empty()) return;
+  std::vector<std::size_t> done(sequences.size(), 0);
+  std::vector<TaskAction> decisions;
+  (void)finish(nodes_.front().state, decisions, [&](const TaskState& state) {
+    const std::size_t greedy = greedy_choice(state, 1.0);
+    const int agent = model_.decider(state);
+    if (agent < 0 || static_cast<std::size_t>(agent) >= sequences.size()) return greedy;
+    const auto& sequence = sequences[static_cast<std::size_t>(agent)];
+    // What is gone or out of reach by now is passed over.
+    for (std::size_t& next = done[static_cast<std::size_t>(agent)]; next < sequence.size();) {
+      const std::string& id = sequence[next++];
+      const auto found = std::ranges::find_if(actions_, [&](const TaskAction& action) {
+        const bool is_visit = action.kind == TaskActionKind::Visit || action.kind == TaskActionKind::Accompany;
+        return is_visit && model_.problem().world.sources[static_cast<std::size_t>(action.source)].id == id;
+      });
+      if (found != actions_.end()) return static_cast<std::size_t>(found - actions_.begin());
+    }
+    return greedy;
+  });
 }
 
 void TaskTree::roll_out(Rng& rng) {
@@ -159,7 +195,7 @@ void TaskTree::roll_out(Rng& rng) {
         break;
       }
       if (node.visits == 0 && path.size() > 1) {
-        value = finish(node.state, decisions, rng.uniform(0.2, 1.6), &rng);
+        value = finish_at_random(node.state, decisions, rng);
         break;
       }
       expand(node);
@@ -171,7 +207,7 @@ void TaskTree::roll_out(Rng& rng) {
     if (node.children[chosen].node < 0) {
       TaskState next = model_.after(node.state, action);
       if (nodes_.size() - free_nodes_.size() >= options_.most_nodes) {
-        value = finish(std::move(next), decisions, rng.uniform(0.2, 1.6), &rng);
+        value = finish_at_random(std::move(next), decisions, rng);
         break;
       }
       const std::int32_t added = add_node(std::move(next));

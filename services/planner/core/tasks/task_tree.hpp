@@ -29,8 +29,8 @@ class TaskIncumbent {
 };
 
 struct TaskTreeOptions {
-  double exploration = 0.4;        ///< of PUCT, in units of the range of values
-  double widening = 2.0;           ///< a node visited n times looks at widening * n^widening_exponent decisions
+  double exploration = 0.4;  ///< of PUCT, in units of the range of values
+  double widening = 2.0;     ///< a node visited n times looks at widening * n^widening_exponent decisions
   double widening_exponent = 0.5;
   std::size_t most_nodes = 100000;  ///< then it only rolls out
 };
@@ -38,8 +38,8 @@ struct TaskTreeOptions {
 /// Monte Carlo tree search over the decisions of a TaskModel.
 ///
 /// Selection: PUCT on the best value below a child (the world is deterministic) with the score as prior (digest F3).
-/// A child whose optimistic bound cannot beat the incumbent is closed, and a node whose children are all closed too; the
-/// root's bound is certified. Small worlds are searched to the end.
+/// A child whose optimistic bound cannot beat the incumbent is closed, and a node whose children are all closed too;
+/// the root's bound is certified. Small worlds are searched to the end.
 class TaskTree {
  public:
   /// `model` and `incumbent` must outlive it.
@@ -47,6 +47,8 @@ class TaskTree {
 
   /// Offers plans of greedy decisions, each time the best by score, with several degrees of impatience.
   void offer_greedy_plans();
+  /// Offers the plan in which everybody goes on as in the plan in execution, then greedily.
+  void offer_plan_in_execution();
   /// One walk down the tree, one new node, one randomised greedy course from there.
   void roll_out(Rng& rng);
   /// Everything was looked at or ruled out.
@@ -74,7 +76,11 @@ class TaskTree {
   [[nodiscard]] std::size_t select(const Node& node) const;
   std::int32_t add_node(TaskState state);
   void close(Node& node);
-  double finish(TaskState state, std::vector<TaskAction>& decisions, double impatience, Rng* rng);
+  template <typename Choice>
+  double finish(TaskState state, std::vector<TaskAction>& decisions, const Choice& choice);
+  [[nodiscard]] std::size_t greedy_choice(const TaskState& state, double impatience);
+  [[nodiscard]] std::size_t random_choice(const TaskState& state, double impatience, Rng& rng);
+  double finish_at_random(TaskState state, std::vector<TaskAction>& decisions, Rng& rng);
   void back_up(const std::vector<std::int32_t>& path, double value);
   [[nodiscard]] std::int64_t least_makespan_ms(const TaskState& state) const;
 

@@ -21,7 +21,10 @@ bool is_same(const TravelWay& a, const TravelWay& b) {
 }  // namespace
 
 Travel::Travel(const MotionMap* motion, const Hazards* hazards, const Searcher& searcher, double cost_of_time_per_s)
-    : motion_(motion), hazards_(hazards), radius_m_(searcher.radius_m), preferred_clearance_m_(searcher.preferred_clearance_m) {
+    : motion_(motion),
+      hazards_(hazards),
+      radius_m_(searcher.radius_m),
+      preferred_clearance_m_(searcher.preferred_clearance_m) {
   surcharges_s_.push_back(0.0);
   if (hazards->empty()) return;
   for (const double share : kLeastWorthOfTime) {

@@ -49,7 +49,7 @@ class Travel {
   double preferred_clearance_m_;
   std::vector<double> surcharges_s_;  ///< metres that a unit of hazard cost is worth, per way asked for
   std::vector<Eigen::Vector2d> points_;
-  std::vector<int> nodes_;  ///< of motion_
+  std::vector<int> nodes_;                              ///< of motion_
   std::map<std::pair<int, int>, ShortestPaths> paths_;  ///< by place and number of surcharge
   std::map<std::pair<int, int>, std::vector<TravelWay>> ways_;
 };

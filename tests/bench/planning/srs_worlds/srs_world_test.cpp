@@ -11,8 +11,8 @@ TEST(SrsWorld, EverySeedGivesAUsableTaskOfTheSizeAskedFor) {
     const TaskProblem problem = random_srs_task(seed);
     EXPECT_FALSE(problem_of(problem)) << "seed " << seed;
     EXPECT_LE(problem.agents.size(), 3U);
-    const auto tasks = std::ranges::count_if(problem.world.sources,
-                                             [](const RewardSource& s) { return s.kind == SourceKind::Task; });
+    const auto tasks =
+        std::ranges::count_if(problem.world.sources, [](const RewardSource& s) { return s.kind == SourceKind::Task; });
     EXPECT_GE(tasks, 5) << "seed " << seed;
     EXPECT_LE(tasks, 8) << "seed " << seed;
     for (const Relation& relation : problem.world.relations) has_kind[static_cast<int>(relation.kind)] = true;

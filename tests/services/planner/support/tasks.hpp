@@ -20,7 +20,8 @@ inline TaskAgent task_agent(const std::string& id, double x, double y) {
 }
 
 /// A source so small that one has to walk to its point, consumed in an instant.
-inline RewardSource spot(const std::string& id, double x, double y, double pool, std::vector<std::string> targets = {}) {
+inline RewardSource spot(const std::string& id, double x, double y, double pool,
+                         std::vector<std::string> targets = {}) {
   RewardSource source = disc_source(id, {x, y}, 0.001, pool * 1e4, pool);
   source.targets = std::move(targets);
   return source;

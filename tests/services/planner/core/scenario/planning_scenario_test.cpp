@@ -96,8 +96,9 @@ TEST(PlanningScenario, WhoFliesHasALayerOfItsOwn) {
 }
 
 TEST(PlanningScenario, AMapLiesInTheFolderThatHoldsScenarios) {
-  std::string json = office_with(R"("room": {"width_m": 8, "height_m": 6, "walls": [{"points": [[4, 0], [4, 4]], "height_m": 2}]})",
-                                 R"("map": "maps/brl.yaml")");
+  std::string json =
+      office_with(R"("room": {"width_m": 8, "height_m": 6, "walls": [{"points": [[4, 0], [4, 4]], "height_m": 2}]})",
+                  R"("map": "maps/brl.yaml")");
   const auto scenario = parse_planning_scenario(json, "/etc/tandem/scenarios/tasks/office.json");
   EXPECT_EQ(std::get<std::filesystem::path>(scenario.place), "/etc/tandem/maps/brl.yaml");
 }

@@ -8,9 +8,9 @@ namespace tandem {
 namespace {
 
 TEST(Hazards, CostWhatTheNegativeSourcesTakeInASecond) {
-  const ResolvedWorld world{world_of({"a", "b"}, {disc_source("fire", {0.0, 0.0}, 2.0, -3.0),
-                                                  disc_source("smoke", {1.0, 0.0}, 2.0, -1.0),
-                                                  disc_source("prize", {0.0, 0.0}, 9.0, 5.0)})};
+  const ResolvedWorld world{
+      world_of({"a", "b"}, {disc_source("fire", {0.0, 0.0}, 2.0, -3.0), disc_source("smoke", {1.0, 0.0}, 2.0, -1.0),
+                            disc_source("prize", {0.0, 0.0}, 9.0, 5.0)})};
   const Hazards hazards{world, 0, 0.0};
   EXPECT_DOUBLE_EQ(hazards.cost_per_s({0.0, 0.0}), 4.0);
   EXPECT_DOUBLE_EQ(hazards.cost_per_s({2.5, 0.0}), 1.0);

@@ -14,10 +14,9 @@ ResolvedBoundary on_map(const PlanarShape& shape) {
 }
 
 TEST(Stations, LieInsideTheBoundaryTheMiddleFirst) {
-  const std::vector<PlanarShape> shapes{Disc{{1.0, 2.0}, 0.3}, Disc{{1.0, 2.0}, 3.0},
-                                        Polygon{{{0.0, 0.0}, {6.0, 0.0}, {6.0, 4.0}, {0.0, 4.0}}},
-                                        Corridor{{{0.0, 0.0}, {5.0, 0.0}, {5.0, 5.0}}, 0.5},
-                                        HalfPlane{{2.0, 0.0}, {1.0, 0.0}}};
+  const std::vector<PlanarShape> shapes{
+      Disc{{1.0, 2.0}, 0.3}, Disc{{1.0, 2.0}, 3.0}, Polygon{{{0.0, 0.0}, {6.0, 0.0}, {6.0, 4.0}, {0.0, 4.0}}},
+      Corridor{{{0.0, 0.0}, {5.0, 0.0}, {5.0, 5.0}}, 0.5}, HalfPlane{{2.0, 0.0}, {1.0, 0.0}}};
   for (const auto& shape : shapes) {
     const auto stations = stations_of(on_map(shape), 0.0, {9.0, 9.0});
     ASSERT_FALSE(stations.empty());

@@ -17,10 +17,12 @@ double bound_at_start(const TaskProblem& problem) {
 
 TEST(TaskBound, CountsNoMoreThanThePoolAndTheTimeThereIs) {
   // 10 m there: 2 of 12 s are left at a rate of 3.
-  EXPECT_NEAR(bound_at_start(task_of({task_agent("a", 0.0, 0.0)}, {disc_source("s", {10.0, 0.0}, 0.001, 3.0, 50.0)}, {}, 12.0)),
-              6.0, 0.1);
-  EXPECT_NEAR(bound_at_start(task_of({task_agent("a", 0.0, 0.0)}, {disc_source("s", {10.0, 0.0}, 0.001, 3.0, 5.0)}, {}, 30.0)),
-              5.0, 1e-6);
+  EXPECT_NEAR(
+      bound_at_start(task_of({task_agent("a", 0.0, 0.0)}, {disc_source("s", {10.0, 0.0}, 0.001, 3.0, 50.0)}, {}, 12.0)),
+      6.0, 0.1);
+  EXPECT_NEAR(
+      bound_at_start(task_of({task_agent("a", 0.0, 0.0)}, {disc_source("s", {10.0, 0.0}, 0.001, 3.0, 5.0)}, {}, 30.0)),
+      5.0, 1e-6);
 }
 
 TEST(TaskBound, KnowsThatOneAgentCannotBeInTwoPlacesAtOnce) {
@@ -28,12 +30,14 @@ TEST(TaskBound, KnowsThatOneAgentCannotBeInTwoPlacesAtOnce) {
   const auto sources = std::vector<RewardSource>{disc_source("l", {-8.0, 0.0}, 0.001, 1.0, 10.0),
                                                  disc_source("r", {8.0, 0.0}, 0.001, 1.0, 10.0)};
   EXPECT_LT(bound_at_start(task_of({task_agent("a", 0.0, 0.0)}, sources, {}, 20.0)), 13.0);
-  EXPECT_NEAR(bound_at_start(task_of({task_agent("a", 0.0, 0.0), task_agent("b", 0.0, 0.0)}, sources, {}, 20.0)), 20.0, 1e-6);
+  EXPECT_NEAR(bound_at_start(task_of({task_agent("a", 0.0, 0.0), task_agent("b", 0.0, 0.0)}, sources, {}, 20.0)), 20.0,
+              1e-6);
 }
 
 TEST(TaskBound, KnowsThatATwinIsNoSecondReward) {
-  const TaskProblem problem = task_of({task_agent("a", 0.0, 0.0)}, {spot("one", 1.0, 0.0, 5.0), spot("two", 0.0, 1.0, 5.0)},
-                                      {codependent("one", "two", 1.0)}, 20.0);
+  const TaskProblem problem =
+      task_of({task_agent("a", 0.0, 0.0)}, {spot("one", 1.0, 0.0, 5.0), spot("two", 0.0, 1.0, 5.0)},
+              {codependent("one", "two", 1.0)}, 20.0);
   EXPECT_NEAR(bound_at_start(problem), 5.0, 1e-6);
 }
 

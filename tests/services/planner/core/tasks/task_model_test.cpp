@@ -42,9 +42,9 @@ TEST(TaskModel, AVisitLastsUntilThePoolIsEmpty) {
 }
 
 TEST(TaskModel, WhoComesTooEarlyWaitsUntilAMateHasOpenedTheSource) {
-  const TaskProblem problem = task_of({task_agent("a", 0.0, 0.0), task_agent("b", 0.0, 5.0)},
-                                      {spot("key", 8.0, 5.0, 1.0, {"b"}), spot("door", 2.0, 0.0, 3.0, {"a"})},
-                                      {strict("key", "door")}, 30.0);
+  const TaskProblem problem =
+      task_of({task_agent("a", 0.0, 0.0), task_agent("b", 0.0, 5.0)},
+              {spot("key", 8.0, 5.0, 1.0, {"b"}), spot("door", 2.0, 0.0, 3.0, {"a"})}, {strict("key", "door")}, 30.0);
   TaskModel model{problem};
   TaskState state = model.start();
   state = model.after(state, visit_of(model, state, 1));
@@ -56,9 +56,9 @@ TEST(TaskModel, WhoComesTooEarlyWaitsUntilAMateHasOpenedTheSource) {
 
 TEST(TaskModel, AnUnlimitedSourceIsLeftJustInTimeForAnother) {
   // Stay at "view" (rate 1) until 20 - 4 m - 0.5 s of drawing = 15.5 s.
-  const TaskProblem problem = task_of({task_agent("a", 0.0, 0.0)},
-                                      {disc_source("view", {2.0, 0.0}, 0.1, 1.0), disc_source("last", {6.0, 0.0}, 0.1, 2.0, 1.0)},
-                                      {}, 20.0);
+  const TaskProblem problem =
+      task_of({task_agent("a", 0.0, 0.0)},
+              {disc_source("view", {2.0, 0.0}, 0.1, 1.0), disc_source("last", {6.0, 0.0}, 0.1, 2.0, 1.0)}, {}, 20.0);
   TaskModel model{problem};
   const TaskState start = model.start();
   const TaskState after = model.after(start, visit_of(model, start, 0, StayEnd::InTimeFor));
@@ -76,9 +76,9 @@ TEST(TaskModel, SomeActionsAreOnlyOfferedWhereTheyMatter) {
 
 TEST(TaskModel, HoldingLetsAMateGoFirst) {
   // b may only take j after a took i, which pays nothing later: b holds until a has it.
-  const TaskProblem problem = task_of({task_agent("a", 0.0, 0.0), task_agent("b", 0.0, 5.0)},
-                                      {spot("i", 4.0, 0.0, 5.0, {"a"}), spot("j", 1.0, 5.0, 5.0, {"b"})},
-                                      {soft("i", "j")}, 30.0);
+  const TaskProblem problem =
+      task_of({task_agent("a", 0.0, 0.0), task_agent("b", 0.0, 5.0)},
+              {spot("i", 4.0, 0.0, 5.0, {"a"}), spot("j", 1.0, 5.0, 5.0, {"b"})}, {soft("i", "j")}, 30.0);
   TaskModel model{problem};
   TaskState state = model.start();
   state = model.after(state, visit_of(model, state, 0));
@@ -104,8 +104,8 @@ TEST(TaskModel, WhatIsCommittedIsWalkedFirst) {
 }
 
 TEST(TaskModel, AFixedPlanIsNotDecidedAnyMore) {
-  TaskProblem problem = task_of({task_agent("a", 0.0, 0.0), task_agent("other", 0.0, 5.0)},
-                                {spot("s", 2.0, 5.0, 1.0)}, {}, 10.0);
+  TaskProblem problem =
+      task_of({task_agent("a", 0.0, 0.0), task_agent("other", 0.0, 5.0)}, {spot("s", 2.0, 5.0, 1.0)}, {}, 10.0);
   problem.agents[1].committed.points = {{0.0, {0.0, 5.0}}, {2.0, {2.0, 5.0}}};
   problem.agents[1].freedom = TaskFreedom::Fixed;
   TaskModel model{problem};

@@ -17,7 +17,8 @@ TEST(TaskPlanner, StopsWhenNothingBetterCanExist) {
 
 TEST(TaskPlanner, StopsWhenItIsTold) {
   std::vector<RewardSource> sources;
-  for (int i = 0; i < 12; ++i) sources.push_back(spot("s" + std::to_string(i), i % 4 * 3.0, i / 4 * 2.5, 1.0 + 0.1 * i));
+  for (int i = 0; i < 12; ++i)
+    sources.push_back(spot("s" + std::to_string(i), i % 4 * 3.0, i / 4 * 2.5, 1.0 + 0.1 * i));
   TaskPlanner planner{task_of({task_agent("a", 0.0, 0.0), task_agent("b", 5.0, 5.0)}, sources, {}, 9.0), Rng{1}};
   int asked = 0;
   planner.run(1000, [&] { return ++asked == 7; });
@@ -44,6 +45,18 @@ TEST(TaskPlanner, OfEqualPlansThatEndTogetherTakesTheOneInExecution) {
   }
 }
 
+TEST(TaskPlanner, TheFirstPlanIsNoWorseThanThePlanInExecution) {
+  // The greedy ones run after the big prize on the left; the plan in execution collects four on the right.
+  TaskProblem problem = task_of({task_agent("a", 0.0, 0.0)},
+                                {spot("big", -1.0, 0.0, 3.0), spot("r1", 7.0, 0.0, 2.0), spot("r2", 8.0, 0.0, 2.0),
+                                 spot("r3", 9.0, 0.0, 2.0), spot("r4", 10.0, 0.0, 2.0)},
+                                {}, 10.5);
+  const double greedy = plan_task(problem, 0, Rng{1})->value;
+  EXPECT_LE(greedy, 8.0);
+  problem.in_execution = {{"r1", "r2", "r3", "r4"}};
+  EXPECT_NEAR(plan_task(problem, 0, Rng{1})->value, 8.0, 1e-6);
+}
+
 TEST(TaskPlanner, LatencyOfAPersonMakesTheMateGo) {
   // Equally far from both; the person starts 5 s later.
   TaskProblem problem =
@@ -56,9 +69,9 @@ TEST(TaskPlanner, LatencyOfAPersonMakesTheMateGo) {
 }
 
 TEST(TaskPlanner, HoldsBackTheMateWhoWouldSilenceAReward) {
-  const TaskProblem problem = task_of({task_agent("a", 0.0, 0.0), task_agent("b", 0.0, 5.0)},
-                                      {spot("i", 4.0, 0.0, 5.0, {"a"}), spot("j", 1.0, 5.0, 5.0, {"b"})},
-                                      {soft("i", "j")}, 30.0);
+  const TaskProblem problem =
+      task_of({task_agent("a", 0.0, 0.0), task_agent("b", 0.0, 5.0)},
+              {spot("i", 4.0, 0.0, 5.0, {"a"}), spot("j", 1.0, 5.0, 5.0, {"b"})}, {soft("i", "j")}, 30.0);
   const auto plan = plan_task(problem, 1000, Rng{1});
   ASSERT_TRUE(plan);
   EXPECT_NEAR(plan->value, 10.0, 1e-9);

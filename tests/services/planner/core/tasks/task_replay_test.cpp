@@ -60,7 +60,8 @@ TEST(TaskReplay, ARejectedPlanIsNotProposedAgain) {
 }
 
 TEST(TaskReplay, CountsWhatIsAsInThePlanInExecution) {
-  const TaskProblem problem = task_of({task_agent("a", 0.0, 0.0)}, {spot("s", 1.0, 0.0, 1.0), spot("t", 2.0, 0.0, 1.0)}, {}, 9.0);
+  const TaskProblem problem =
+      task_of({task_agent("a", 0.0, 0.0)}, {spot("s", 1.0, 0.0, 1.0), spot("t", 2.0, 0.0, 1.0)}, {}, 9.0);
   TaskAction first;
   first.kind = TaskActionKind::Visit;
   first.agent = 0;

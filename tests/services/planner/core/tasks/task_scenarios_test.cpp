@@ -121,7 +121,7 @@ TEST(TaskScenarios, ADrawnPathIsFollowed) {
 
 TEST(TaskScenarios, TheMatePutsTheLightOnForTheReader) {
   const Planned it = planned("light_and_panel");
-  EXPECT_EQ(it.visits(0), "panel");  // 5 m
+  EXPECT_EQ(it.visits(0), "panel");   // 5 m
   EXPECT_EQ(it.visits(1), "switch");  // 2 m
   EXPECT_NEAR(it.plan.value, 11.0, 1e-6);
   EXPECT_NEAR(it.plan.makespan_s, 5.0, kTime_s);

@@ -36,8 +36,8 @@ TEST(TaskScore, PrefersWhatOpensAnotherAndPutsOffWhatSilencesOne) {
 }
 
 TEST(TaskScore, IsPositiveForEverything) {
-  const auto scores = scores_of(task_of({task_agent("a", 0.0, 0.0)},
-                                        {spot("s", 5.0, 0.0, 1.0), disc_source("fire", {5.0, 0.0}, 2.0, -9.0)}, {}, 30.0));
+  const auto scores = scores_of(task_of(
+      {task_agent("a", 0.0, 0.0)}, {spot("s", 5.0, 0.0, 1.0), disc_source("fire", {5.0, 0.0}, 2.0, -9.0)}, {}, 30.0));
   for (const double score : scores) EXPECT_GT(score, 0.0);
 }
 
