@@ -6,9 +6,35 @@
 namespace tandem {
 namespace {
 
-constexpr int kRounds = 2;
+constexpr int kRounds = 1;
 constexpr int kSteps = 9;
 constexpr double kGolden = 0.6180339887498949;
+
+/// Where a convex function on [0, high] is lowest, and its value there, by golden section.
+template <typename Function>
+std::pair<double, double> lowest_of(const Function& function, double high) {
+  double low = 0.0;
+  double x = high - kGolden * (high - low);
+  double y = low + kGolden * (high - low);
+  double of_x = function(x);
+  double of_y = function(y);
+  for (int i = 0; i < kSteps; ++i) {
+    if (of_x <= of_y) {
+      high = y;
+      y = x;
+      of_y = of_x;
+      x = high - kGolden * (high - low);
+      of_x = function(x);
+    } else {
+      low = x;
+      x = y;
+      of_x = of_y;
+      y = low + kGolden * (high - low);
+      of_y = function(y);
+    }
+  }
+  return of_x <= of_y ? std::pair{x, of_x} : std::pair{y, of_y};
+}
 
 }  // namespace
 
@@ -55,42 +81,25 @@ double AssignmentBound::operator()(const std::vector<PoolItems>& groups, const s
     }
   }
   if (items < 2) return best;
+  // One price for all first, then one agent's after the other.
+  std::array<double, kMaxTaskAgents> prices{};
+  const auto look_for_better = [&](std::size_t first, std::size_t last) {
+    const auto at = [&](double price) {
+      price_per_s_ = prices;
+      std::fill(price_per_s_.begin() + static_cast<std::ptrdiff_t>(first),
+                price_per_s_.begin() + static_cast<std::ptrdiff_t>(last), price);
+      return priced(groups, time_left_s);
+    };
+    const auto [price, value] = lowest_of(at, highest);
+    if (value >= best) return;
+    best = value;
+    std::fill(prices.begin() + static_cast<std::ptrdiff_t>(first), prices.begin() + static_cast<std::ptrdiff_t>(last),
+              price);
+  };
+  look_for_better(0, time_left_s.size());
+  if (time_left_s.size() == 1) return best;
   for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t a = 0; a < time_left_s.size(); ++a) {
-      double best_price = price_per_s_[a];
-      const auto at = [&](double price) {
-        price_per_s_[a] = price;
-        const double value = priced(groups, time_left_s);
-        if (value < best) {
-          best = value;
-          best_price = price;
-        }
-        return value;
-      };
-      // Golden section.
-      double low = 0.0;
-      double high = highest;
-      double x = high - kGolden * (high - low);
-      double y = low + kGolden * (high - low);
-      double of_x = at(x);
-      double of_y = at(y);
-      for (int i = 0; i < kSteps; ++i) {
-        if (of_x <= of_y) {
-          high = y;
-          y = x;
-          of_y = of_x;
-          x = high - kGolden * (high - low);
-          of_x = at(x);
-        } else {
-          low = x;
-          x = y;
-          of_x = of_y;
-          y = low + kGolden * (high - low);
-          of_y = at(y);
-        }
-      }
-      price_per_s_[a] = best_price;
-    }
+    for (std::size_t a = 0; a < time_left_s.size(); ++a) look_for_better(a, a + 1);
   }
   return best;
 }

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kSampling_m = 0.1;
+constexpr double kSampling_m = 0.25;
 constexpr int kDetourPoints = 12;
 constexpr double kOutside_m = 0.05;
 
@@ -70,9 +70,20 @@ double Hazards::along(const Vector2d& from, const Vector2d& to) const {
   const double length_m = (to - from).norm();
   if (sources_.empty() || length_m == 0.0) return 0.0;
   const int pieces = std::max(1, static_cast<int>(std::ceil(length_m / kSampling_m)));
+  std::vector<double> shares;
+  for (int i = 0; i <= pieces; ++i) shares.push_back(static_cast<double>(i) / pieces);
+  for (const std::size_t s : sources_) {
+    if (const auto* placed = std::get_if<PlacedShape>(&world_->sources()[s].boundary)) {
+      (void)append_level_crossings(placed->shape, 0.0, from, to, shares);
+    }
+  }
+  std::ranges::sort(shares);
   double sum = 0.0;
-  for (int i = 0; i < pieces; ++i) sum += cost_per_s(from + (to - from) * ((i + 0.5) / pieces));
-  return sum * length_m / pieces;
+  for (std::size_t i = 1; i < shares.size(); ++i) {
+    const double middle = 0.5 * (shares[i - 1] + shares[i]);
+    if (shares[i] > shares[i - 1]) sum += (shares[i] - shares[i - 1]) * cost_per_s(from + middle * (to - from));
+  }
+  return sum * length_m;
 }
 
 }  // namespace tandem

@@ -14,7 +14,8 @@ class Hazards {
   [[nodiscard]] bool empty() const { return sources_.empty(); }
   /// Cost of a second there [1/s], >= 0.
   [[nodiscard]] double cost_per_s(const Eigen::Vector2d& point_in_map) const;
-  /// The integral of cost_per_s over the straight line [m/s]: what it costs at 1 m/s. Sampled every 0.1 m.
+  /// The integral of cost_per_s over the straight line [m/s]: what it costs at 1 m/s. Exact
+  /// where the cost is constant within and without the boundaries, else by midpoints of at most 0.25 m.
   [[nodiscard]] double along(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   /// The largest cost of a second anywhere [1/s].
   [[nodiscard]] double peak_per_s() const { return peak_per_s_; }

@@ -30,7 +30,6 @@ void TaskModel::actions(const TaskState& state, std::vector<TaskAction>& out) {
   }
   const auto agent = static_cast<std::size_t>(deciding);
   add_visits(state, agent, out);
-  add_accompanying(state, agent, out);
   TaskAction action;
   action.agent = static_cast<std::int16_t>(agent);
   const bool has_goal = goal_places_[agent] && leads_to_goal(state, agent);
@@ -38,16 +37,15 @@ void TaskModel::actions(const TaskState& state, std::vector<TaskAction>& out) {
     action.kind = TaskActionKind::Goal;
     action.place = *goal_places_[agent];
     out.push_back(action);
-    action.place = -1;
+    return;  // nothing that may last until it is too late for the goal
   }
+  add_accompanying(state, agent, out);
   if (may_hold(state, agent)) {
     action.kind = TaskActionKind::Hold;
     out.push_back(action);
   }
-  if (!has_goal) {
-    action.kind = TaskActionKind::Wait;
-    out.push_back(action);
-  }
+  action.kind = TaskActionKind::Wait;
+  out.push_back(action);
 }
 
 /// Whether the agent can get to the goal that was fixed for it at all.

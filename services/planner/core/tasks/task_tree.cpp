@@ -202,18 +202,16 @@ void TaskTree::roll_out(Rng& rng) {
     }
     const std::size_t chosen = select(node);
     if (chosen == node.children.size()) break;  // all closed: found out while backing up
-    const TaskAction action = node.children[chosen].action;
-    decisions.push_back(action);
-    if (node.children[chosen].node < 0) {
-      TaskState next = model_.after(node.state, action);
+    Child& child = node.children[chosen];
+    if (child.node < 0) {
       if (nodes_.size() - free_nodes_.size() >= options_.most_nodes) {
-        value = finish_at_random(std::move(next), decisions, rng);
+        value = finish_at_random(node.state, decisions, rng);
         break;
       }
-      const std::int32_t added = add_node(std::move(next));
-      nodes_[static_cast<std::size_t>(path.back())].children[chosen].node = added;
+      child.node = add_node(model_.after(node.state, child.action));
     }
-    path.push_back(nodes_[static_cast<std::size_t>(path.back())].children[chosen].node);
+    decisions.push_back(child.action);
+    path.push_back(child.node);
   }
   back_up(path, value);
 }

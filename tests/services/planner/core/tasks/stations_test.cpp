@@ -22,9 +22,9 @@ TEST(Stations, LieInsideTheBoundaryTheMiddleFirst) {
     ASSERT_FALSE(stations.empty());
     for (const auto& station : stations) EXPECT_TRUE(contains(shape, station)) << station.transpose();
   }
-  EXPECT_EQ(stations_of(on_map(shapes[0]), 0.0, {}).size(), 1U);
-  EXPECT_EQ(stations_of(on_map(shapes[1]), 0.0, {}).front(), (Vector2d{1.0, 2.0}));
-  EXPECT_GT(stations_of(on_map(shapes[1]), 0.0, {}).size(), 4U);
+  EXPECT_EQ(stations_of(on_map(shapes[0]), 0.0, Vector2d::Zero()).size(), 1U);
+  EXPECT_EQ(stations_of(on_map(shapes[1]), 0.0, Vector2d::Zero()).front(), (Vector2d{1.0, 2.0}));
+  EXPECT_GT(stations_of(on_map(shapes[1]), 0.0, Vector2d::Zero()).size(), 4U);
 }
 
 TEST(Stations, OfAHalfPlaneIsWhereOneGetsIntoIt) {
@@ -36,13 +36,13 @@ TEST(Stations, OfAHalfPlaneIsWhereOneGetsIntoIt) {
 
 TEST(Stations, OfABallAreAtTheAltitudeOfTheAgent) {
   const ResolvedBoundary ball = Sphere{{1.0, 1.0, 3.0}, 1.0};
-  EXPECT_TRUE(stations_of(ball, 0.0, {}).empty());
-  EXPECT_EQ(stations_of(ball, 3.0, {}).front(), (Vector2d{1.0, 1.0}));
+  EXPECT_TRUE(stations_of(ball, 0.0, Vector2d::Zero()).empty());
+  EXPECT_EQ(stations_of(ball, 3.0, Vector2d::Zero()).front(), (Vector2d{1.0, 1.0}));
 }
 
 TEST(Stations, AnEventAndAMovingBoundaryHaveNone) {
-  EXPECT_TRUE(stations_of(Nowhere{}, 0.0, {}).empty());
-  EXPECT_TRUE(stations_of(PlacedShape{Disc{{0.0, -1.0}, 0.5}, 0}, 0.0, {}).empty());
+  EXPECT_TRUE(stations_of(Nowhere{}, 0.0, Vector2d::Zero()).empty());
+  EXPECT_TRUE(stations_of(PlacedShape{Disc{{0.0, -1.0}, 0.5}, 0}, 0.0, Vector2d::Zero()).empty());
 }
 
 TEST(Stations, BesideAnAgentTurnsWithIt) {
