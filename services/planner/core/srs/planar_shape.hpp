@@ -43,8 +43,8 @@ using PlanarShape = std::variant<Disc, Polygon, Corridor, HalfPlane>;
 /// The vector from the nearest point of a boundary to a point (digest B1).
 struct BoundaryVector {
   double distance = 0.0;  ///< Positive outside, zero on the boundary, negative inside.
-  /// Unit vector along it. On the boundary: straight out. Where several points are nearest: towards +x from the centre
-  /// of a disc, away from the first of the edges as listed otherwise.
+  /// Unit vector along it. On the boundary: straight out. Where several points are nearest, that on the +x side of a
+  /// disc's centre, to the left of a corridor's middle line, or on the first of a polygon's edges as listed.
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();
 };
 

@@ -20,6 +20,10 @@ struct RewardState {
 /// Before anything has happened.
 [[nodiscard]] RewardState initial_state(const ResolvedWorld& world);
 
+/// The state of a world after an edit (9): what has gone from the pools of sources that are still there, and relations
+/// that are through, stay so; what is new is fresh. Both worlds know a source, group or relation by its names.
+[[nodiscard]] RewardState carried_over(const RewardState& state, const ResolvedWorld& from, const ResolvedWorld& to);
+
 /// Whether a soft relation has silenced the source for the agent.
 [[nodiscard]] bool is_silenced(const ResolvedSource& source, std::size_t agent, const ResolvedWorld& world,
                                const RewardState& state);

@@ -159,11 +159,24 @@ class WorldCheck {
     for (const auto& agent : relation.agents) {
       if (auto problem = of_agent(agent, where + ": agents")) return problem;
     }
-    if (relation.kind == RelationKind::Codependent) return of_codependence(relation, where);
+    if (relation.kind == RelationKind::Codependent) return of_codependence(index, where);
     return of_trigger(relation, where);
   }
 
-  Problem of_codependence(const Relation& relation, const std::string& where) const {
+  /// A codependence is between pools, and goes both ways: there is at most one between two of them.
+  bool couples_the_same(const Relation& one, const Relation& other) const {
+    const std::set<std::string> pools{node_of(one.from), node_of(one.to)};
+    return other.kind == RelationKind::Codependent &&
+           pools == std::set<std::string>{node_of(other.from), node_of(other.to)};
+  }
+
+  Problem of_codependence(std::size_t index, const std::string& where) const {
+    const Relation& relation = world_.relations[index];
+    for (std::size_t i = 0; i < index; ++i) {
+      if (couples_the_same(relation, world_.relations[i])) {
+        return WorldProblem{where, "the two are codependent already: " + place("relations", i)};
+      }
+    }
     if (!(relation.coupling >= 0.0 && relation.coupling <= 1.0)) {
       return WorldProblem{where + ": coupling", "must be in [0, 1]"};
     }

@@ -1,8 +1,10 @@
-// The laws of docs/srs_model.md that a reader can check by hand: T1 to T8, T18, T20, T23, T24.
+// The laws of docs/srs_model.md that a reader can check by hand: T1 to T8, T18, T23, groups; those of random worlds
+// are in srs_random_world_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "services/common/random.hpp"
 #include "tests/services/planner/support/sources.hpp"
 
 namespace tandem {
@@ -141,6 +143,56 @@ TEST(SrsProperty, T18AHazardStillHurtsAnAgentThatWaits) {
   const auto rewards = course.advance({at(1), straight_move({5, 0}, {9, 0})}, 4.0);
   EXPECT_DOUBLE_EQ(rewards[0], -2.0);
   EXPECT_DOUBLE_EQ(rewards[1], 0.0);
+}
+
+TEST(SrsProperty, T23WhatWasConsumedStaysConsumedAfterAnEdit) {
+  const RewardWorld before = world_of(
+      {"a"}, {disc_source("key", {0, 0}, 1, 1, 1), disc_source("door", {5, 0}, 1, 1, 4)}, {strict("key", "door")});
+  RewardWorld after = before;
+  ASSERT_FALSE(add_source(after, disc_source("other", {9, 0}, 1, 1, 1)));
+  Course course{before};
+  course.advance({at(0)}, 1.0);
+  course.advance({at(5)}, 1.0);
+
+  const ResolvedWorld ready{after};
+  Course fresh{after};
+  fresh.account().restore(carried_over(course.account().state(), course.account().world(), ready));
+  EXPECT_DOUBLE_EQ(fresh.advance({at(0)}, 1.0)[0], 0.0);
+  EXPECT_DOUBLE_EQ(fresh.advance({at(5)}, 9.0)[0], 3.0);
+  EXPECT_DOUBLE_EQ(fresh.advance({at(9)}, 9.0)[0], 1.0);
+}
+
+TEST(SrsProperty, OverlappingPartsOfOneObjectCountOnceInAGroup) {
+  // A table of two discs that overlap between x = -1 and x = 1; it repels.
+  RewardWorld table = world_of({"a"}, {disc_source("left", {-1, 0}, 2, -1), disc_source("right", {1, 0}, 2, -1)});
+  const std::vector<AgentMove> across{straight_move({-3, 0}, {3, 0})};  // 2 s in each alone, 2 s in both
+  EXPECT_NEAR((Course{table}.advance(across, 6.0)[0]), -8.0, 1e-12);
+  table.groups = {{"table", {"left", "right"}, std::numeric_limits<double>::infinity()}};
+  EXPECT_NEAR((Course{table}.advance(across, 6.0)[0]), -6.0, 1e-12);
+}
+
+TEST(SrsProperty, ManySourcesOfAGroupPayLikeTheOneTheyMake) {
+  // Four squares in a row, or the rectangle of them.
+  RewardWorld many = world_of({"a", "b"}, {});
+  SourceGroup group{"row", {}, 5.0};
+  for (int i = 0; i < 4; ++i) {
+    RewardSource square = disc_source("square" + std::to_string(i), {0, 0}, 1, 2.0);
+    square.boundary = Polygon{{{i, 0}, {i + 1, 0}, {i + 1, 1}, {i, 1}}};
+    many.sources.push_back(square);
+    group.members.push_back(square.id);
+  }
+  many.groups = {group};
+  RewardSource rectangle = disc_source("rectangle", {0, 0}, 1, 2.0, 5.0);
+  rectangle.boundary = Polygon{{{0, 0}, {4, 0}, {4, 1}, {0, 1}}};
+  const RewardWorld one = world_of({"a", "b"}, {rectangle});
+  Rng rng{9};
+  for (int i = 0; i < 50; ++i) {
+    const auto any = [&] { return Eigen::Vector2d{rng.uniform(-1, 5), rng.uniform(-1, 2)}; };
+    const std::vector<AgentMove> moves{straight_move(any(), any()), straight_move(any(), any())};
+    const auto expected = Course{one}.advance(moves, 4.0);
+    const auto got = Course{many}.advance(moves, 4.0);
+    for (std::size_t agent = 0; agent < 2; ++agent) EXPECT_NEAR(got[agent], expected[agent], 1e-9) << i;
+  }
 }
 
 }  // namespace
