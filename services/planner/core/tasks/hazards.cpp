@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "services/planner/core/tasks/task_problem.hpp"
+
 namespace tandem {
 namespace {
 
@@ -43,6 +45,8 @@ Hazards::Hazards(const ResolvedWorld& world, std::size_t agent, double altitude_
     const double peak = std::min(peak_of(source.inside), peak_of(source.outside));
     if ((source.targets & mask_of(agent)) == 0 || peak >= 0.0 || !is_fixed(source.boundary)) continue;
     sources_.push_back(s);
+    is_stepwise_ &= std::holds_alternative<PlacedShape>(source.boundary) && is_constant(source.inside) &&
+                    is_constant(source.outside);
     peak_per_s_ = std::max(peak_per_s_, -peak * source.pace[agent] * source.worth[agent]);
     const auto disc = disc_of(source.boundary);
     if (!disc) continue;
@@ -56,7 +60,7 @@ Hazards::Hazards(const ResolvedWorld& world, std::size_t agent, double altitude_
 
 double Hazards::cost_per_s(const Vector2d& point_in_map) const {
   if (sources_.empty()) return 0.0;
-  std::array<AgentMove, kMaxAgents> moves;
+  std::array<AgentMove, kMaxTaskAgents> moves;
   AgentMove& move = moves[agent_];
   move = stay_at(point_in_map);
   move.from_altitude_m = move.to_altitude_m = altitude_m_;
@@ -69,7 +73,7 @@ double Hazards::cost_per_s(const Vector2d& point_in_map) const {
 double Hazards::along(const Vector2d& from, const Vector2d& to) const {
   const double length_m = (to - from).norm();
   if (sources_.empty() || length_m == 0.0) return 0.0;
-  const int pieces = std::max(1, static_cast<int>(std::ceil(length_m / kSampling_m)));
+  const int pieces = is_stepwise_ ? 1 : std::max(1, static_cast<int>(std::ceil(length_m / kSampling_m)));
   std::vector<double> shares;
   for (int i = 0; i <= pieces; ++i) shares.push_back(static_cast<double>(i) / pieces);
   for (const std::size_t s : sources_) {

@@ -27,6 +27,7 @@ class Hazards {
   std::size_t agent_;
   double altitude_m_;
   double peak_per_s_ = 0.0;
+  bool is_stepwise_ = true;  ///< the cost changes at boundaries only
   std::vector<std::size_t> sources_;
   std::vector<Eigen::Vector2d> detour_points_;
 };

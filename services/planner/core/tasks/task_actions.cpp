@@ -7,6 +7,7 @@
 namespace tandem {
 namespace {
 
+constexpr std::size_t kNextSources = 8;  ///< so many sources a stay may end in time for
 constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::min() / 2;
 
 /// How long it takes to draw so much at such a rate [ms].
@@ -102,20 +103,40 @@ void TaskModel::add_stays(const TaskState& state, TaskAction action, std::int64_
     out.push_back(action);
   }
   const std::int64_t arrival = arrival_ms(state, action);
-  const double draw = draw_per_s(agent, s, travels_[agent].point(action.place));
+  const double draw = draw_per_s(agent, s, action.place);
   const double all_of_it = left(state, s);
   const bool is_open = is_opened(world_.sources()[s], state.rewards);
   const std::int64_t done_ms = is_open && std::isfinite(all_of_it) ? arrival + drawing_ms(all_of_it, draw)
                                                                    : std::numeric_limits<std::int64_t>::max();
+  if (done_ms <= arrival) return;
   action.until = StayEnd::InTimeFor;
-  for (std::size_t next = 0; next < world_.sources().size(); ++next) {
-    if (next == s || stations_[agent][next].empty()) continue;
-    if (!is_known(state, next, agent) || !is_hopeful(state, next, agent)) continue;
+  find_next_sources(state, agent, s, action.place);
+  for (const auto& [distance_m, next] : next_sources_) {
     const std::int64_t leave_ms = latest_leave_ms(agent, action.place, next, left(state, next));
     if (leave_ms <= arrival || leave_ms >= std::min(done_ms, latest_ms)) continue;
     action.next = static_cast<std::int16_t>(next);
     out.push_back(action);
   }
+}
+
+/// The sources nearest to a station of `source` that may be consumed after it.
+void TaskModel::find_next_sources(const TaskState& state, std::size_t agent, std::size_t source, int place) {
+  next_sources_.clear();
+  for (std::size_t next = 0; next < world_.sources().size(); ++next) {
+    if (next == source || stations_[agent][next].empty() || !std::isfinite(left(state, next))) continue;
+    if (!is_known(state, next, agent) || !is_hopeful(state, next, agent)) continue;
+    const Eigen::Vector2d& middle = travels_[agent].point(stations_[agent][next].front().place);
+    next_sources_.emplace_back((middle - travels_[agent].point(place)).norm(), next);
+  }
+  std::ranges::sort(next_sources_);
+  if (next_sources_.size() > kNextSources) next_sources_.resize(kNextSources);
+}
+
+double TaskModel::draw_per_s(std::size_t agent, std::size_t source, int place) const {
+  for (const Station& station : stations_[agent][source]) {
+    if (station.place == place) return station.draw_per_s;
+  }
+  return 0.0;
 }
 
 void TaskModel::add_accompanying(const TaskState& state, std::size_t agent, std::vector<TaskAction>& out) const {
@@ -157,6 +178,8 @@ double TaskModel::hazard_cost(const TaskState& state, const TaskAction& action) 
 }
 
 std::optional<int> TaskModel::nearest_station(std::size_t agent, std::size_t source, int from_place) {
+  const auto [found, is_new] = nearest_stations_[agent].try_emplace({from_place, source});
+  if (!is_new) return found->second;
   std::optional<int> nearest;
   double nearest_m = std::numeric_limits<double>::infinity();
   for (const Station& station : stations_[agent][source]) {
@@ -167,6 +190,7 @@ std::optional<int> TaskModel::nearest_station(std::size_t agent, std::size_t sou
     nearest_m = ways.front().length_m;
     nearest = station.place;
   }
+  found->second = nearest;
   return nearest;
 }
 
@@ -174,7 +198,7 @@ std::optional<int> TaskModel::nearest_station(std::size_t agent, std::size_t sou
 std::int64_t TaskModel::latest_leave_ms(std::size_t agent, int from_place, std::size_t next, double next_left) {
   const auto station = nearest_station(agent, next, from_place);
   if (!station || !std::isfinite(next_left)) return kNever;
-  const double draw = draw_per_s(agent, next, travels_[agent].point(*station));
+  const double draw = draw_per_s(agent, next, *station);
   const auto& way = travels_[agent].ways(from_place, *station).front();
   const std::int64_t way_ms = drawing_ms(way.length_m, problem_.agents[agent].searcher.speed_mps);
   return limits_ms_[agent] - way_to_goal_ms(agent, *station) - drawing_ms(next_left, draw) - way_ms;

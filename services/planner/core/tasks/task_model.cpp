@@ -90,6 +90,7 @@ TaskModel::TaskModel(const TaskProblem& problem)
     has_soft_relations_ |= !source.silenced_by.empty();
     has_moving_sources_ |= is_moving(source.boundary);
   }
+  nearest_stations_.resize(count);
   find_stations();
   find_messages();
   account_.record_to(&events_);
@@ -107,7 +108,7 @@ void TaskModel::find_stations() {
       for (const auto& point : stations_of(source.boundary, agent.altitude_m, agent.start.position())) {
         const auto place = travels_[a].place_at(point, kStandReach_m);
         if (!place) continue;
-        const double rate = draw_per_s(a, s, travels_[a].point(*place));
+        const double rate = drawn_per_s_at(a, s, travels_[a].point(*place));
         if (rate > 0.0) stations_[a][s].push_back({*place, rate});
       }
     }
@@ -219,7 +220,7 @@ bool TaskModel::is_hopeful(const TaskState& state, std::size_t source, std::size
   });
 }
 
-double TaskModel::draw_per_s(std::size_t agent, std::size_t source, const Vector2d& point_in_map) const {
+double TaskModel::drawn_per_s_at(std::size_t agent, std::size_t source, const Vector2d& point_in_map) const {
   std::array<AgentMove, kMaxTaskAgents> moves;
   moves.fill(absent());
   moves[agent] = stay_at(point_in_map);

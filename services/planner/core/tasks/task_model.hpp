@@ -66,8 +66,9 @@ class TaskModel {
   [[nodiscard]] std::int64_t arrival_ms(const TaskState& state, const TaskAction& action);
   /// What the hazards on the action's way cost the agent.
   [[nodiscard]] double hazard_cost(const TaskState& state, const TaskAction& action);
-  /// What the agent draws there in a second with a full pool and all relations open [1/s], in units of the pool.
-  [[nodiscard]] double draw_per_s(std::size_t agent, std::size_t source, const Eigen::Vector2d& point_in_map) const;
+  /// What the agent draws in a second at a station of the source, with a full pool and all relations open [1/s], in
+  /// units of the pool; 0 at other places.
+  [[nodiscard]] double draw_per_s(std::size_t agent, std::size_t source, int place) const;
   /// What a second of walking costs the agent [1/s], >= 0.
   [[nodiscard]] double cost_of_walking_per_s(std::size_t agent) const { return cost_of_walking_per_s_[agent]; }
   [[nodiscard]] const Eigen::Vector2d& place(std::size_t agent, int place) const {
@@ -97,7 +98,9 @@ class TaskModel {
   [[nodiscard]] bool may_hold(const TaskState& state, std::size_t agent) const;
   [[nodiscard]] std::int64_t latest_leave_ms(std::size_t agent, int from_place, std::size_t next, double next_left);
   [[nodiscard]] std::int64_t way_to_goal_ms(std::size_t agent, int from_place);
+  [[nodiscard]] double drawn_per_s_at(std::size_t agent, std::size_t source, const Eigen::Vector2d& point_in_map) const;
   [[nodiscard]] std::optional<int> nearest_station(std::size_t agent, std::size_t source, int from_place);
+  void find_next_sources(const TaskState& state, std::size_t agent, std::size_t source, int place);
 
   void begin(TaskState& state, const TaskAction& action);
   void run(TaskState& state);
@@ -122,6 +125,7 @@ class TaskModel {
   std::vector<Travel> travels_;                              ///< by agent
   std::vector<std::vector<std::vector<Station>>> stations_;  ///< by agent and source, the middle first
   std::vector<std::optional<int>> goal_places_;              ///< by agent
+  std::vector<std::map<std::pair<int, std::size_t>, std::optional<int>>> nearest_stations_;  ///< by agent
   bool has_soft_relations_ = false;
   bool has_moving_sources_ = false;
   std::vector<std::vector<std::size_t>> gates_of_pool_;  ///< that wait for the pool
@@ -133,6 +137,7 @@ class TaskModel {
   TaskObserver* observer_ = nullptr;
   std::vector<AgentMove> moves_;
   std::vector<double> rewards_;
+  std::vector<std::pair<double, std::size_t>> next_sources_;  ///< by distance
 };
 
 }  // namespace tandem

@@ -63,7 +63,7 @@ double TaskScore::operator()(const TaskState& state, const TaskAction& action, d
     return std::max(kLeast, worth_of(state, s, agent) / unit_);
   }
   const double way_s = static_cast<double>(model_.arrival_ms(state, action) - state.now_ms) * 1e-3;
-  const double draw = model_.draw_per_s(agent, s, model_.place(agent, action.place));
+  const double draw = model_.draw_per_s(agent, s, action.place);
   const double rest_s = std::max(0.0, static_cast<double>(model_.limit_ms(agent) - state.now_ms) * 1e-3 - way_s);
   const double drawn = std::min(model_.left(state, s), draw * rest_s);
   double gain = drawn * source.worth[agent] * (is_opened(source, state.rewards) ? 1.0 : kShareBlocked);
