@@ -7,6 +7,13 @@ set(TANDEM_SANITIZER "" CACHE STRING "Value of -fsanitize=, empty for none")
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DEIGEN_NO_DEBUG")
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g")
 
+# tandem_precompile(target header ...): parses large outside headers once for all sources of a target.
+function(tandem_precompile target)
+  list(TRANSFORM ARGN REPLACE "(.+)" "<\\1>" OUTPUT_VARIABLE headers)
+  target_precompile_headers(${target} PRIVATE ${headers})
+  target_compile_options(${target} PRIVATE -fpch-preprocess)
+endfunction()
+
 function(tandem_target_defaults name)
   target_include_directories(${name} PUBLIC ${CMAKE_SOURCE_DIR})
   target_compile_options(${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror)

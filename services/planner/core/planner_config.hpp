@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "services/common/angle.hpp"
@@ -19,10 +20,10 @@ struct PlannerConfig {
   double person_credit_s = 10.0;      ///< A person not seen for longer is not taken to search any more [s].
 
   // The plan.
-  std::int64_t rollouts = 300;  ///< Budget of one plan.
+  std::string planner = "tandem";  ///< A name that planners/registry.hpp knows, perhaps with options.
+  std::int64_t rollouts = 300;     ///< Budget of one plan.
   std::int64_t seed = 1;
   double horizon_s = 120.0;         ///< Length of plans [s].
-  double step_s = 0.5;              ///< Time is counted in steps of this [s].
   double acceptance_delay_s = 3.0;  ///< A proposal without a Replan is accepted after this [s].
   double slice_s = 0.03;            ///< Computing at a stretch, between heartbeats [s].
   double wait_for_person_s = 10.0;  ///< How long the first plan waits for a person who has not shown up [s].
@@ -62,10 +63,10 @@ struct PlannerConfig {
     visitor.field("excluded_radius_m", excluded_radius_m, Range{0.0, 100.0});
     visitor.field("explored_probability", explored_probability, Range{0.01, 0.99});
     visitor.field("person_credit_s", person_credit_s, Range{0.0, 120.0});
+    visitor.field("planner", planner);
     visitor.field("rollouts", rollouts, Range{0, 1e6});
     visitor.field("seed", seed, Range{0, 1e15});
     visitor.field("horizon_s", horizon_s, Range{5.0, 1000.0});
-    visitor.field("step_s", step_s, Range{0.1, 5.0});
     visitor.field("acceptance_delay_s", acceptance_delay_s, Range{0.0, 60.0});
     visitor.field("slice_s", slice_s, Range{0.001, 1.0});
     visitor.field("wait_for_person_s", wait_for_person_s, Range{0.0, 600.0});

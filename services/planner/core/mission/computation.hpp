@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-#include <optional>
+#include <memory>
 #include <string>
 
 #include "services/planner/core/mission/search_mission.hpp"
@@ -10,10 +9,9 @@ namespace tandem {
 
 /// A plan in the making.
 struct SearchMission::Computation {
-  TeamProblem problem;
-  std::optional<TeamPlanner> planner;  ///< of `problem`, so this never moves
+  SearchProblem problem;
+  std::unique_ptr<Planner> planner;  ///< of `problem`, so this never moves
   std::string reason;
-  std::array<bool, 2> goal_fixed{};
 };
 
 }  // namespace tandem

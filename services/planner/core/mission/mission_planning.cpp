@@ -1,8 +1,10 @@
 // The part of SearchMission that decides on new plans and makes them.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "services/planner/core/mission/computation.hpp"
+#include "services/planner/core/planners/registry.hpp"
 
 namespace tandem {
 namespace {
@@ -10,7 +12,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kStartReach_m = 3.0;
-constexpr double kGoalReach_m = 3.0;
+constexpr double kSurvivalStep_s = 0.5;
 constexpr double kPersonForgotten_s = 60.0;  ///< not heard of for so long, a person is planned without
 constexpr double kSlackOfPlans = 1.5;        ///< a plan is void after so many times its duration ...
 constexpr double kSlack_s = 20.0;            ///< ... and this
@@ -46,7 +48,7 @@ PlanSituation SearchMission::situation(Time now) const {
   situation.person_is_new = !person_planned_ && person_is_known(now);
   if (person_off_plan_since_) situation.person_off_plan_s = to_seconds(now - *person_off_plan_since_);
   if (!survival_.empty() && left_when_planned_ > 0.0) {
-    const double step = std::max(0.0, (elapsed_s(now) - config_.late_s) / config_.step_s);
+    const double step = std::max(0.0, (elapsed_s(now) - config_.late_s) / kSurvivalStep_s);
     const auto index = std::min(survival_.size() - 1, static_cast<std::size_t>(step));
     situation.surprise = belief_->probability_left() / left_when_planned_ - survival_[index];
   }
@@ -87,13 +89,14 @@ void SearchMission::forget_old_blockages(Time now) {
 void SearchMission::find_ways_anew(const Vector2d& robot_in_map) {
   std::vector<BlockedDisc> discs;
   for (const auto& entry : blocked_) discs.push_back(entry.second);
-  world_->block(discs, robot_in_map);
+  world_->block(kRobot, discs, robot_in_map);
   ++world_version_;
   if (discs.empty()) return;
-  const auto start = world_->robot().add_place(robot_in_map, kStartReach_m);
-  if (start && !world_->robot().nearest_lookouts(*start).empty()) return;
+  ActionSet& actions = world_->actions(kRobot);
+  const auto start = actions.add_place(robot_in_map, kStartReach_m);
+  if (start && !actions.nearest_lookouts(*start).empty()) return;
   blocked_.clear();
-  world_->block({}, robot_in_map);
+  world_->block(kRobot, {}, robot_in_map);
 }
 
 void SearchMission::begin_plan(Time now, const std::string& reason) {
@@ -116,29 +119,32 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
 
   auto computation = std::make_unique<Computation>();
   computation->reason = reason;
-  TeamProblem& problem = computation->problem;
-  problem.mass = belief_->posterior();
-  problem.horizon_steps = static_cast<int>(config_.horizon_s / config_.step_s);
-  problem.tail_s = world_->sweep_time_s();
-  problem.taboo = rejected_;
+  SearchProblem& problem = computation->problem;
+  problem.world = world_.get();
+  problem.masses = {belief_->posterior()};
+  problem.horizon_s = config_.horizon_s;
+  problem.rejected = rejected_;
+  std::vector<int> searchers;
   for (const std::size_t member : {kRobot, kPerson}) {
     if (member == kPerson && !person_is_known(now)) continue;
-    ActionSet& actions = member == kRobot ? world_->robot() : world_->person();
-    actions.forget_added_places();
     const Pose2& pose = seen_[member]->map_from_agent;
-    const auto start = actions.add_place(pose.position(), kStartReach_m);
-    if (!start && member == kRobot) {
+    const int searcher = static_cast<int>(member);
+    if (!world_->actions(searcher).can_stand_near(pose.position())) {
+      if (member == kPerson) continue;
       failed_ = now;
       return fail("the robot stands where it cannot move");
     }
-    if (!start) continue;
-    TeamMember who{&actions, *start, pose.heading, {}};
-    if (goals_[member]) who.goal = actions.add_place(*goals_[member], kGoalReach_m);
-    computation->goal_fixed[member] = who.goal.has_value();
-    problem.members.push_back(who);
+    SearchMember who;
+    who.searcher = searcher;
+    who.pose = pose;
+    who.goal = goals_[member];
+    searchers.push_back(searcher);
+    problem.members.push_back(std::move(who));
   }
+  problem.tail_s = world_->sweep_time_s(searchers);
   const Rng rng{static_cast<std::uint64_t>(config_.seed) + 1'000'003 * plans_};
-  computation->planner.emplace(computation->problem, TeamPlannerOptions{}, rng);
+  computation->planner = make_planner(config_.planner);
+  computation->planner->begin(computation->problem, rng);
   computation_ = std::move(computation);
   activity_ = MissionActivity::Computing;
   failure_.clear();
@@ -146,25 +152,26 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
 
 void SearchMission::finish_plan(Time now) {
   const JointPlan joint = computation_->planner->best();
-  const TeamProblem& problem = computation_->problem;
+  survival_ = survival_of(computation_->problem, joint.paths, kSurvivalStep_s);
   MissionPlan plan;
   plan.id = session_ + "-" + agents_[kRobot] + "-" + std::to_string(++plans_) + "-" +
             std::to_string(to_stamp_ns(now) / 1'000'000);
   plan.world_version = world_version_;
   plan.start = now + from_seconds(config_.acceptance_delay_s);
-  plan.role = role_of(computation_->goal_fixed[kPerson], computation_->goal_fixed[kRobot]);
   plan.forecast = joint.forecast;
   plan.reason = computation_->reason;
   double duration_s = 0.0;
-  for (std::size_t m = 0; m < joint.members.size(); ++m) {
-    const TimedPath& path = joint.members[m].path;
-    plan.members.push_back({agents_[m], path, path.points.back().point_in_map, problem.members[m].goal.has_value()});
+  for (std::size_t m = 0; m < joint.paths.size(); ++m) {
+    const bool goal_fixed = std::isfinite(joint.goal_reached_s[m]);
+    const TimedPath path = path_until(joint.paths[m], joint.goal_reached_s[m]);
+    plan.members.push_back({agents_[m], path, path.points.back().point_in_map, goal_fixed});
     duration_s = std::max(duration_s, path.duration_s());
   }
+  const bool person_fixed = plan.members.size() > kPerson && plan.members[kPerson].goal_fixed;
+  plan.role = role_of(person_fixed, plan.members[kRobot].goal_fixed);
   plan.valid_until = plan.start + from_seconds(kSlackOfPlans * duration_s + kSlack_s);
   acceptance_.propose(now, plan.valid_until);
   proposed_ = now;
-  survival_ = joint.survival;
   left_when_planned_ = belief_->probability_left();
   person_planned_ = plan.members.size() > kPerson;
   plan_ = std::move(plan);

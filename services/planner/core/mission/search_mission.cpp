@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "services/planner/core/mission/computation.hpp"
+#include "services/planner/core/mission/mission_world.hpp"
 
 namespace tandem {
 namespace {
@@ -67,7 +68,7 @@ void SearchMission::start_search() {
 void SearchMission::robot_at(Time stamp, const Pose2& map_from_robot) {
   seen_[kRobot] = Seen{stamp, map_from_robot, 0.0};
   if (running_ && belief_ && activity_ != MissionActivity::Finished) {
-    watches_[kRobot].look(stamp, map_from_robot, world_->observability(), *belief_);
+    watches_[kRobot].look(stamp, map_from_robot, world_->observability(0), *belief_);
   }
 }
 
@@ -76,7 +77,7 @@ void SearchMission::person_at(Time stamp, const Pose2& map_from_person, double a
   if (age_s >= config_.person_credit_s) {
     watches_[kPerson].pause();
   } else if (running_ && belief_ && activity_ != MissionActivity::Finished) {
-    watches_[kPerson].look(stamp, map_from_person, world_->observability(), *belief_);
+    watches_[kPerson].look(stamp, map_from_person, world_->observability(0), *belief_);
   }
 }
 
@@ -139,7 +140,7 @@ void SearchMission::found() {
 bool SearchMission::step(Time now, const std::function<bool()>& slice_over) {
   prepare();
   if (world_ && !computation_) {
-    while (!slice_over() && (world_->robot().prepare_next() || world_->person().prepare_next())) continue;
+    while (!slice_over() && world_->prepare_next()) continue;
   }
   if (!running_ || !world_ || activity_ == MissionActivity::Finished) return false;
   follow_person(now);
@@ -175,7 +176,8 @@ ExploredShares SearchMission::explored() const {
 void SearchMission::prepare() {
   if (world_ || !map_ || !seen_[kRobot]) return;
   const Vector2d start = seen_[kRobot]->map_from_agent.position();
-  auto world = std::make_unique<TeamWorld>(*map_, config_, agents_[kRobot], agents_[kPerson], start);
+  auto world = std::make_unique<SearchWorld>(std::vector{*map_},
+                                             search_world_options(config_, agents_[kRobot], agents_[kPerson], start));
   if (world->area().size() == 0) {
     fail("there is no floor to search around the robot");
     map_.reset();  // until another one comes

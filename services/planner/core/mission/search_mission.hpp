@@ -10,10 +10,9 @@
 #include "services/common/time.hpp"
 #include "services/planner/core/acceptance/plan_acceptance.hpp"
 #include "services/planner/core/mission/replan_reason.hpp"
-#include "services/planner/core/mission/team_world.hpp"
 #include "services/planner/core/mission/watch.hpp"
 #include "services/planner/core/roles/role.hpp"
-#include "services/planner/core/team/team_planner.hpp"
+#include "services/planner/core/team/planner.hpp"
 
 namespace tandem {
 
@@ -116,7 +115,7 @@ class SearchMission {
   PlannerConfig config_;
   std::array<std::string, 2> agents_;
   std::optional<OccupancyGrid> map_;
-  std::unique_ptr<TeamWorld> world_;
+  std::unique_ptr<SearchWorld> world_;
   std::optional<SearchBelief> belief_;
   std::array<Watch, 2> watches_;
   std::array<std::optional<Seen>, 2> seen_;

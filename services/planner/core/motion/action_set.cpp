@@ -1,7 +1,6 @@
 #include "services/planner/core/motion/action_set.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 
 namespace tandem {
@@ -9,9 +8,10 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int kSectors = 24;           ///< of heading, for views
-constexpr double kStartReach_m = 5.0;  ///< a start next to a wall still finds its part of the map
+constexpr double kPartReach_m = 5.0;   ///< a start next to a wall still finds its part of the map
+constexpr double kStartReach_m = 3.0;  ///< from so far off the floor an agent finds back
 constexpr double kStandpointReach_m = 0.75;
+constexpr double kSlack_m = 0.02;  ///< of clearance
 
 MotionOptions motion_options(const Searcher& searcher) {
   MotionOptions options;
@@ -22,20 +22,19 @@ MotionOptions motion_options(const Searcher& searcher) {
 
 }  // namespace
 
-ActionSet::ActionSet(const OccupancyGrid& map, Observability& observability, const Searcher& searcher,
-                     const ActionSetOptions& options, const Vector2d& start_in_map,
-                     const std::vector<BlockedDisc>& blocked)
-    : searcher_(searcher),
-      options_(options),
-      observability_(observability),
-      motion_(map, motion_options(searcher), blocked) {
-  if (const auto start = motion_.nearest_node(start_in_map, kStartReach_m)) {
-    nodes_ = covering_lookouts(observability_, motion_, *start, options_.lookout_range_m, options_.least_gain_m2);
+ActionSet::ActionSet(const OccupancyGrid& map, ViewTable& views, const ActionSetOptions& options,
+                     const Vector2d& start_in_map, const std::vector<BlockedDisc>& blocked)
+    : options_(options), views_(views), motion_(map, motion_options(views.searcher()), blocked) {
+  if (const auto start = motion_.nearest_node(start_in_map, kPartReach_m)) {
+    for (const int node :
+         covering_lookouts(views_.observability(), motion_, *start, options_.lookout_range_m, options_.least_gain_m2)) {
+      places_.push_back({motion_.point(node), node});
+    }
   }
-  lookout_count_ = static_cast<int>(nodes_.size());
-  paths_.resize(nodes_.size());
-  nearest_.resize(nodes_.size());
-  panoramas_.resize(nodes_.size());
+  lookout_count_ = static_cast<int>(places_.size());
+  paths_.resize(places_.size());
+  nearest_.resize(places_.size());
+  panoramas_.resize(places_.size());
 }
 
 bool ActionSet::prepare_next() {
@@ -47,7 +46,7 @@ bool ActionSet::prepare_next() {
 
 void ActionSet::forget_added_places() {
   const auto count = static_cast<std::size_t>(lookout_count_);
-  nodes_.resize(count);
+  places_.resize(count);
   paths_.resize(count);
   nearest_.resize(count);
   std::erase_if(legs_, [&](const auto& entry) {
@@ -55,27 +54,29 @@ void ActionSet::forget_added_places() {
   });
 }
 
+bool ActionSet::can_stand_near(const Vector2d& point_in_map) const {
+  return motion_.nearest_node(point_in_map, kStartReach_m).has_value();
+}
+
 std::optional<int> ActionSet::add_place(const Vector2d& point_in_map, double reach_m) {
   const auto node = motion_.nearest_node(point_in_map, reach_m);
   if (!node) return std::nullopt;
-  nodes_.push_back(*node);
+  const Vector2d& there = motion_.point(*node);
+  const bool is_roomy = motion_.clearance_m(point_in_map, there) >= searcher().radius_m - kSlack_m;
+  places_.push_back({is_roomy ? point_in_map : there, *node});
   paths_.emplace_back();
   nearest_.emplace_back();
-  return static_cast<int>(nodes_.size()) - 1;
-}
-
-const Vector2d& ActionSet::place(int index) const {
-  return motion_.point(nodes_[static_cast<std::size_t>(index)]);
+  return static_cast<int>(places_.size()) - 1;
 }
 
 const ShortestPaths& ActionSet::paths_from(int place) {
   ShortestPaths& paths = paths_[static_cast<std::size_t>(place)];
-  if (paths.from < 0) paths = motion_.shortest_paths(nodes_[static_cast<std::size_t>(place)]);
+  if (paths.from < 0) paths = motion_.shortest_paths(place_at(place).node);
   return paths;
 }
 
 double ActionSet::distance_m(int from, int to) {
-  return paths_from(from).cost_m[static_cast<std::size_t>(nodes_[static_cast<std::size_t>(to)])];
+  return paths_from(from).cost_m[static_cast<std::size_t>(place_at(to).node)];
 }
 
 const std::vector<int>& ActionSet::nearest_lookouts(int from) {
@@ -93,55 +94,34 @@ const std::vector<int>& ActionSet::nearest_lookouts(int from) {
   return nearest;
 }
 
-int ActionSet::turning_steps(double from_rad, double to_rad) const {
-  return static_cast<int>(std::ceil(turning_time_s(searcher_, from_rad, to_rad) / options_.step_s - 1e-9));
-}
-
-int ActionSet::view_at(const Pose2& pose) {
-  const bool all_around = searcher_.field_of_view_rad >= 2.0 * std::numbers::pi;
-  const double sector_rad = 2.0 * std::numbers::pi / kSectors;
-  const int sector =
-      all_around ? 0 : static_cast<int>(std::lround((pose.heading + std::numbers::pi) / sector_rad)) % kSectors;
-  const int standpoint = observability_.area().nearest_cell(pose.position(), kStandpointReach_m).value_or(-1);
-  const auto [entry, is_new] = view_of_.try_emplace({standpoint, sector}, static_cast<int>(views_.size()));
-  if (is_new) {
-    View view;
-    if (standpoint >= 0) {
-      const Vector2d& point = observability_.area().point(standpoint);
-      view = observability_.seen_from(searcher_, {point.x(), point.y(), sector * sector_rad - std::numbers::pi});
-    }
-    views_.push_back(std::move(view));
-  }
-  return entry->second;
-}
-
 const Leg& ActionSet::leg(int from, int to) {
   const auto [entry, is_new] = legs_.try_emplace({from, to});
   Leg& leg = entry->second;
   if (!is_new) return leg;
-  leg.way = motion_.way(paths_from(from), nodes_[static_cast<std::size_t>(to)]);
-  if (leg.way.size() < 2) return leg;
+  leg.way = motion_.way(paths_from(from), place_at(to).node, place(from), place(to));
+  if (leg.way.size() < 2) {
+    leg.way.clear();
+    return leg;
+  }
   leg.initial_heading_rad = heading_towards(leg.way[0], leg.way[1]);
   leg.final_heading_rad = heading_towards(leg.way[leg.way.size() - 2], leg.way.back());
-  const TimedPath path = timed_path(leg.way, searcher_, leg.initial_heading_rad);
-  const int steps = std::max(1, static_cast<int>(std::ceil(path.duration_s() / options_.step_s - 1e-9)));
-  std::map<int, int> looks;
-  for (int step = 0; step < steps; ++step) {
-    leg.views.push_back(view_at(pose_at(path, (step + 0.5) * options_.step_s)));
-    for (const int cell : view(leg.views.back())) ++looks[cell];
+  const TimedPath path = timed_path(leg.way, searcher(), leg.initial_heading_rad);
+  leg.duration_s = path.duration_s();
+  leg.seen = sightings_along(path, leg.initial_heading_rad, views_);
+  if (!searcher().sees_all_around()) {
+    leg.stay = sightings_of_stay({leg.way.back().x(), leg.way.back().y(), leg.final_heading_rad}, views_);
   }
-  const double exposure_per_step = searcher_.detection_rate_per_s * options_.step_s;
-  for (const auto& [cell, count] : looks) leg.looks.push_back({cell, -std::expm1(-exposure_per_step * count)});
   return leg;
 }
 
 const View& ActionSet::panorama(int lookout) {
   View& panorama = panoramas_[static_cast<std::size_t>(lookout)];
   if (!panorama.empty()) return panorama;
-  const auto cell = observability_.area().nearest_cell(place(lookout), kStandpointReach_m);
+  Observability& observability = views_.observability();
+  const auto cell = observability.area().nearest_cell(place(lookout), kStandpointReach_m);
   if (!cell) return panorama;
-  for (const int seen : observability_.in_sight_of(*cell)) {
-    if ((observability_.area().point(seen) - place(lookout)).norm() <= options_.lookout_range_m)
+  for (const int seen : observability.in_sight_of(*cell)) {
+    if ((observability.area().point(seen) - place(lookout)).norm() <= options_.lookout_range_m)
       panorama.push_back(seen);
   }
   return panorama;

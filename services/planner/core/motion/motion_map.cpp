@@ -12,6 +12,7 @@ using Eigen::Vector2d;
 
 constexpr double kClearanceLimit_m = 2.0;
 constexpr double kSampling_m = 0.1;
+constexpr double kSamePoint_m = 1e-6;
 constexpr double kSlack_m = 0.02;       ///< of clearance, for what lies between the map's cells
 constexpr std::size_t kLookAhead = 80;  ///< nodes over which a corner may be cut
 
@@ -130,10 +131,17 @@ ShortestPaths MotionMap::shortest_paths(int from, std::span<const float> surchar
   return paths;
 }
 
-std::vector<Vector2d> MotionMap::way(const ShortestPaths& paths, int node) const {
+std::vector<Vector2d> MotionMap::way(const ShortestPaths& paths, int node, const Vector2d& start_in_map,
+                                     const Vector2d& end_in_map) const {
   if (!std::isfinite(paths.cost_m[static_cast<std::size_t>(node)])) return {};
   std::vector<Vector2d> nodes;
   for (int at = node; at >= 0; at = paths.previous[static_cast<std::size_t>(at)]) nodes.push_back(point(at));
+  nodes.front() = end_in_map;
+  if (nodes.size() > 1) {
+    nodes.back() = start_in_map;
+  } else if ((end_in_map - start_in_map).norm() > kSamePoint_m) {
+    nodes.push_back(start_in_map);
+  }
   std::reverse(nodes.begin(), nodes.end());
   std::vector<Vector2d> way{nodes.front()};
   for (std::size_t i = 0; i + 1 < nodes.size();) {

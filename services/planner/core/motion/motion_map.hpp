@@ -45,9 +45,12 @@ class MotionMap {
   [[nodiscard]] ShortestPaths shortest_paths(int from) const { return shortest_paths(from, {}); }
   /// As above, where a metre near a node costs `surcharge` of that node more (>= 0); empty: nothing anywhere.
   [[nodiscard]] ShortestPaths shortest_paths(int from, std::span<const float> surcharge) const;
-  /// The way of `paths` to `node` as few straight pieces, from start to end; empty where no way leads. Corners are cut
-  /// only where that brings it no nearer to walls than it was or than preferred.
-  [[nodiscard]] std::vector<Eigen::Vector2d> way(const ShortestPaths& paths, int node) const;
+  /// The way of `paths` to `node` as few straight pieces; empty where no way leads. Corners are cut only where that
+  /// brings it no nearer to walls than it was or than preferred. It begins at `start_in_map` and ends at `end_in_map`,
+  /// points near the first and the last node; of two that are one, only one is left.
+  [[nodiscard]] std::vector<Eigen::Vector2d> way(const ShortestPaths& paths, int node,
+                                                 const Eigen::Vector2d& start_in_map,
+                                                 const Eigen::Vector2d& end_in_map) const;
   /// The least clearance on the straight line between two points [m].
   [[nodiscard]] double clearance_m(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 

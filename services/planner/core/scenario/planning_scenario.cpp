@@ -78,7 +78,7 @@ ScenarioAgent usual_agent(const std::string& kind) {
     agent.searcher.view_max_m = 6.0;
     agent.searcher.detection_rate_per_s = 0.25;
     agent.altitude_m = 3.0;
-    agent.battery_s = 600.0;
+    agent.searcher.endurance_s = 600.0;
   }
   return agent;
 }
@@ -101,7 +101,7 @@ ScenarioAgent agent_of(StrictObject& object) {
   searcher.detection_rate_per_s =
       object.number_or("detection_rate_per_s", searcher.detection_rate_per_s, {0.0, 1000.0});
   agent.altitude_m = object.number_or("altitude_m", agent.altitude_m, {0.0, 1000.0});
-  agent.battery_s = object.number_or("battery_s", agent.battery_s, kTime_s);
+  if (object.has("battery_s")) searcher.endurance_s = object.number("battery_s", kTime_s);
   agent.latency_s = object.number_or("latency_s", agent.latency_s, {0.0, 600.0});
   if (object.has("goal")) agent.goal_in_map = point(object.numbers("goal", 2));
   object.refuse_unknown_keys();
@@ -150,7 +150,7 @@ void add_layers(PlanningScenario& scenario) {
   for (const auto& agent : scenario.agents) altitudes.insert(agent.altitude_m);
   scenario.altitudes_m.assign(altitudes.begin(), altitudes.end());
   for (auto& agent : scenario.agents) {
-    agent.layer = static_cast<int>(std::distance(altitudes.begin(), altitudes.find(agent.altitude_m)));
+    agent.searcher.layer = static_cast<int>(std::distance(altitudes.begin(), altitudes.find(agent.altitude_m)));
   }
 }
 

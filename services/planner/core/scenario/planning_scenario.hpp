@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,13 +20,11 @@ enum class ScenarioAgentKind { Robot, Person, Drone };
 /// One of the team in a planning scenario: where it starts, and how it moves and sees.
 struct ScenarioAgent {
   ScenarioAgentKind kind = ScenarioAgentKind::Robot;
-  Searcher searcher;  ///< Its id is the agent's.
+  Searcher searcher;  ///< Its id is the agent's, its layer one of PlanningScenario::altitudes_m.
   Pose2 start;        ///< map_from_agent
   double altitude_m = 0.0;
-  double battery_s = std::numeric_limits<double>::infinity();  ///< It must have stopped by then.
-  double latency_s = 0.0;                                      ///< Until it begins to follow a new plan.
-  std::optional<Eigen::Vector2d> goal_in_map;                  ///< Fixed by a person [m].
-  int layer = 0;                                               ///< Of PlanningScenario::altitudes_m.
+  double latency_s = 0.0;                      ///< Until it begins to follow a new plan.
+  std::optional<Eigen::Vector2d> goal_in_map;  ///< Fixed by a person [m].
 };
 
 /// A place, a team and a task to be planned: a search, a world of reward sources, or both. Written in

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "services/common/pose2.hpp"
@@ -28,13 +27,19 @@ class Observability {
   /// of view. Nothing from outside the area.
   [[nodiscard]] View seen_from(const Searcher& searcher, const Pose2& pose);
 
+  /// The search cell from which one looks who is in the block at a column and row of the area's grid: its own, or the
+  /// nearest one if the block is no floor (a place next to a wall, a drone above it); -1 if there is none near.
+  [[nodiscard]] int standpoint(int column, int row) const;
+
   [[nodiscard]] const SearchArea& area() const { return area_; }
+  [[nodiscard]] double range_m() const { return range_m_; }
 
  private:
   const OccupancyGrid& map_;
   const SearchArea& area_;
   double range_m_;
   std::vector<View> in_sight_;
+  std::vector<int> standpoints_;  ///< per block of the area's grid
 };
 
 }  // namespace tandem

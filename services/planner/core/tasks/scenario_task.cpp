@@ -12,8 +12,6 @@ TaskProblem task_problem_of(const PlanningScenario& scenario) {
     agent.searcher = one.searcher;
     agent.start = one.start;
     agent.altitude_m = one.altitude_m;
-    agent.layer = one.layer;
-    agent.battery_s = one.battery_s;
     agent.goal_in_map = one.goal_in_map;
     if (one.latency_s > 0.0) {
       agent.committed.points = {{0.0, one.start.position()}, {one.latency_s, one.start.position()}};

@@ -51,7 +51,7 @@ std::optional<std::string> problem_of(const TaskProblem& problem) {
   for (std::size_t a = 0; a < problem.agents.size(); ++a) {
     const TaskAgent& agent = problem.agents[a];
     if (agent.searcher.id != problem.world.agents[a]) return "agent " + agent.searcher.id + " is not in its place";
-    if (!problem.layers.empty() && static_cast<std::size_t>(agent.layer) >= problem.layers.size()) {
+    if (!problem.layers.empty() && static_cast<std::size_t>(agent.searcher.layer) >= problem.layers.size()) {
       return "agent " + agent.searcher.id + " moves on a layer that there is not";
     }
   }
@@ -65,14 +65,16 @@ TaskModel::TaskModel(const TaskProblem& problem)
   std::map<std::tuple<int, double, double>, const MotionMap*> motion_of;  // one per capability
   for (std::size_t a = 0; a < count; ++a) {
     const TaskAgent& agent = problem.agents[a];
-    limits_ms_.push_back(std::isfinite(agent.battery_s) ? std::min(horizon_ms_, in_ms(agent.battery_s)) : horizon_ms_);
+    limits_ms_.push_back(std::isfinite(agent.searcher.endurance_s)
+                             ? std::min(horizon_ms_, in_ms(agent.searcher.endurance_s))
+                             : horizon_ms_);
     cost_of_walking_per_s_.push_back(walking_cost_per_s(world_, a, agent.searcher.speed_mps));
     const MotionMap* motion = nullptr;
     if (!problem.layers.empty()) {
       const MotionOptions body = body_of(agent.searcher);
-      const MotionMap*& known = motion_of[{agent.layer, body.radius_m, body.preferred_clearance_m}];
+      const MotionMap*& known = motion_of[{agent.searcher.layer, body.radius_m, body.preferred_clearance_m}];
       if (known == nullptr) {
-        known = &motion_maps_.emplace_back(problem.layers[static_cast<std::size_t>(agent.layer)], body);
+        known = &motion_maps_.emplace_back(problem.layers[static_cast<std::size_t>(agent.searcher.layer)], body);
       }
       motion = known;
     }
@@ -236,7 +238,7 @@ const TaskLeg* TaskModel::kept(TaskLeg leg) {
 
 const TaskLeg* TaskModel::leg(std::size_t agent, int from, int to, int way, double heading_rad) {
   const Searcher& searcher = problem_.agents[agent].searcher;
-  const bool turns = searcher.field_of_view_rad < 2.0 * std::numbers::pi;
+  const bool turns = !searcher.sees_all_around();
   const auto [found, is_new] = leg_of_.try_emplace({agent, from, to, way, turns ? heading_rad : 0.0}, nullptr);
   if (!is_new) return found->second;
   const auto& points = travels_[agent].ways(from, to)[static_cast<std::size_t>(way)].points_in_map;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,11 +19,9 @@ enum class TaskFreedom {
 
 /// One of a team with a task: where it starts, how it moves, what is settled already.
 struct TaskAgent {
-  Searcher searcher;  ///< Its id is that of an agent of the world.
+  Searcher searcher;  ///< Its id is that of an agent of the world; its layer is one of TaskProblem::layers.
   Pose2 start;        ///< map_from_agent
   double altitude_m = 0.0;
-  int layer = 0;                                               ///< Of TaskProblem::layers.
-  double battery_s = std::numeric_limits<double>::infinity();  ///< It has stopped moving and working by then.
   /// Walked first, whatever is planned: an action under way when the plan is made, or the time a person takes to react
   /// (digest F8). May be empty.
   TimedPath committed;
@@ -36,7 +33,7 @@ struct TaskAgent {
 struct TaskProblem {
   RewardWorld world;
   std::vector<TaskAgent> agents;                 ///< As many as the world has, in its order; at most kMaxTaskAgents.
-  std::vector<OccupancyGrid> layers;             ///< By TaskAgent::layer; none: an open plane.
+  std::vector<OccupancyGrid> layers;             ///< By Searcher::layer; none: an open plane.
   double horizon_s = 60.0;                       ///< All plans are compared over this time (digest A2).
   std::vector<std::vector<TimedPath>> rejected;  ///< Plans that a person rejected: a path per agent (digest A6).
   std::vector<std::vector<std::string>> in_execution;  ///< The sources that each agent is on its way to now, in order.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace tandem {
@@ -12,17 +13,29 @@ constexpr double kDetour_m = 4.0;
 constexpr double kWorthwhile = 0.004;  ///< share of the mass left below which the neighbourhood is done
 constexpr int kFarLookouts = 4;
 
+/// The chance that an object in the cell of sighting `i` is detected during it.
+double detected(const Sightings& seen, std::size_t i, double rate_per_s) {
+  return std::isinf(rate_per_s) ? 1.0 : -std::expm1(-rate_per_s * (seen.leave_s[i] - seen.enter_s[i]));
+}
+
 bool is_better(const Choice& a, const Choice& b) {
   return a.score != b.score ? a.score > b.score : a.place < b.place;
 }
 
 }  // namespace
 
-Course::Course(const TeamProblem& problem) : problem_(&problem), mass_(problem.mass), places_(problem.members.size()) {
+Course::Course(const PreparedProblem& problem)
+    : problem_(&problem), mass_(problem.problem().masses.front()), routes_(problem.members().size()) {
+  const auto& masses = problem.problem().masses;
+  for (std::size_t object = 1; object < masses.size(); ++object) {
+    std::ranges::transform(mass_, masses[object], mass_.begin(), std::plus{});
+  }
   mass_left_ = std::accumulate(mass_.begin(), mass_.end(), 0.0);
-  for (const auto& member : problem.members) {
+  for (const Look& look : problem.fixed_looks()) promise(*look.seen, look.rate_per_s);
+  for (const auto& member : problem.members()) {
     Progress progress;
     progress.place = member.start;
+    progress.busy_until_s = member.start_s;
     progress.heading_rad = member.heading_rad;
     if (member.goal && member.actions->leg(member.start, *member.goal).possible()) {
       progress.goal_ahead = true;
@@ -34,30 +47,42 @@ Course::Course(const TeamProblem& problem) : problem_(&problem), mass_(problem.m
 
 int Course::next_member() const {
   int next = -1;
-  int earliest = problem_->horizon_steps;
   for (std::size_t m = 0; m < members_.size(); ++m) {
-    if (members_[m].busy_until >= earliest) continue;
-    earliest = members_[m].busy_until;
-    next = static_cast<int>(m);
+    if (members_[m].busy_until_s >= problem_->members()[m].end_s) continue;
+    if (next < 0 || members_[m].busy_until_s < members_[static_cast<std::size_t>(next)].busy_until_s) {
+      next = static_cast<int>(m);
+    }
   }
   return next;
 }
 
 Choice Course::appraised(int member, int place) const {
-  ActionSet& actions = *problem_->members[static_cast<std::size_t>(member)].actions;
+  ActionSet& actions = *problem_->members()[static_cast<std::size_t>(member)].actions;
   const Progress& progress = members_[static_cast<std::size_t>(member)];
   const Leg& leg = actions.leg(progress.place, place);
   Choice choice{place, 0.0, 0.0};
   if (!leg.possible()) return choice;
-  for (const Look& look : leg.looks) choice.gain += mass_[static_cast<std::size_t>(look.cell)] * look.probability;
-  const int steps = leg.steps() + actions.turning_steps(progress.heading_rad, leg.initial_heading_rad);
-  const double time_s = steps * actions.step_s();
+  const double rate_per_s = actions.searcher().detection_rate_per_s;
+  for (std::size_t i = 0; i < leg.seen.size(); ++i) {
+    choice.gain += mass_[static_cast<std::size_t>(leg.seen.cells[i])] * detected(leg.seen, i, rate_per_s);
+  }
+  const double time_s =
+      leg.duration_s + turning_time_s(actions.searcher(), progress.heading_rad, leg.initial_heading_rad);
   choice.score = choice.gain / (time_s * std::sqrt(time_s));  // the exponent 1.5 measured best for greedy plans
   return choice;
 }
 
+void Course::promise(const Sightings& seen, double rate_per_s) {
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    double& mass = mass_[static_cast<std::size_t>(seen.cells[i])];
+    const double gain = mass * detected(seen, i, rate_per_s);
+    mass_left_ -= gain;
+    mass -= gain;
+  }
+}
+
 std::vector<Choice> Course::choices(int member, int count) const {
-  const TeamMember& who = problem_->members[static_cast<std::size_t>(member)];
+  const PreparedProblem::Member& who = problem_->members()[static_cast<std::size_t>(member)];
   const Progress& progress = members_[static_cast<std::size_t>(member)];
   std::vector<Choice> choices;
   double best_gain = 0.0;
@@ -92,7 +117,7 @@ std::vector<Choice> Course::choices(int member, int count) const {
 }
 
 void Course::add_far_lookouts(int member, std::vector<Choice>& choices) const {
-  ActionSet& actions = *problem_->members[static_cast<std::size_t>(member)].actions;
+  ActionSet& actions = *problem_->members()[static_cast<std::size_t>(member)].actions;
   const int from = members_[static_cast<std::size_t>(member)].place;
   std::vector<Choice> guesses;
   for (int lookout = 0; lookout < actions.lookouts(); ++lookout) {
@@ -112,24 +137,21 @@ void Course::add_far_lookouts(int member, std::vector<Choice>& choices) const {
 }
 
 void Course::choose(int member, int place) {
-  const TeamMember& who = problem_->members[static_cast<std::size_t>(member)];
+  const PreparedProblem::Member& who = problem_->members()[static_cast<std::size_t>(member)];
   Progress& progress = members_[static_cast<std::size_t>(member)];
   if (place < 0) {
-    progress.busy_until = problem_->horizon_steps;
+    progress.busy_until_s = who.end_s;
     return;
   }
   const Leg& leg = who.actions->leg(progress.place, place);
-  for (const Look& look : leg.looks) {
-    double& mass = mass_[static_cast<std::size_t>(look.cell)];
-    mass_left_ -= mass * look.probability;
-    mass -= mass * look.probability;
-  }
-  progress.busy_until += leg.steps() + who.actions->turning_steps(progress.heading_rad, leg.initial_heading_rad);
+  promise(leg.seen, who.actions->searcher().detection_rate_per_s);
+  progress.busy_until_s +=
+      leg.duration_s + turning_time_s(who.actions->searcher(), progress.heading_rad, leg.initial_heading_rad);
   progress.heading_rad = leg.final_heading_rad;
   progress.detour_left_m -= who.actions->distance_m(progress.place, place);
   progress.place = place;
   if (place == who.goal) progress.goal_ahead = false;
-  places_[static_cast<std::size_t>(member)].push_back(place);
+  routes_[static_cast<std::size_t>(member)].push_back(place);
 }
 
 }  // namespace tandem

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "services/planner/core/team/team_problem.hpp"
+#include "services/planner/core/team/prepared_problem.hpp"
 
 namespace tandem {
 
@@ -16,10 +16,10 @@ struct Choice {
 /// A joint plan in the making: who is under way to where, until when, and what mass is not yet promised to be seen.
 ///
 /// Time is asynchronous (digest F5-F7): the next to choose is whoever arrives first, the others are still under way.
-/// Two who arrive at the same step choose one after the other, which spans the same joint states as choosing at once.
+/// Two who arrive at the same moment choose one after the other, which spans the same joint states as choosing at once.
 class Course {
  public:
-  explicit Course(const TeamProblem& problem);
+  explicit Course(const PreparedProblem& problem);
 
   /// Who chooses next, -1 once all are busy until the horizon.
   [[nodiscard]] int next_member() const;
@@ -28,24 +28,25 @@ class Course {
   /// The member goes there.
   void choose(int member, int place);
 
-  [[nodiscard]] const std::vector<std::vector<int>>& places() const { return places_; }
+  [[nodiscard]] const Routes& routes() const { return routes_; }
 
  private:
   struct Progress {
     int place = -1;
-    int busy_until = 0;  ///< step
+    double busy_until_s = 0.0;
     double heading_rad = 0.0;
     bool goal_ahead = false;
     double detour_left_m = 0.0;  ///< how far it may still walk to the goal
   };
   [[nodiscard]] Choice appraised(int member, int place) const;
+  void promise(const Sightings& seen, double rate_per_s);
   void add_far_lookouts(int member, std::vector<Choice>& choices) const;
 
-  const TeamProblem* problem_;
+  const PreparedProblem* problem_;
   std::vector<Progress> members_;
-  std::vector<double> mass_;  ///< not yet promised
+  std::vector<double> mass_;  ///< not yet promised, of all objects
   double mass_left_ = 0.0;
-  std::vector<std::vector<int>> places_;
+  Routes routes_;
 };
 
 }  // namespace tandem

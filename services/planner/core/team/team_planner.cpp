@@ -11,16 +11,18 @@ constexpr double kUntried = 0.5;  ///< what an untried action is taken to be wor
 
 }  // namespace
 
-TeamPlanner::TeamPlanner(const TeamProblem& problem, const TeamPlannerOptions& options, Rng rng)
-    : problem_(problem),
-      options_(options),
-      rng_(rng),
-      forecaster_(problem.members.front().actions->step_s(), problem.tail_s) {
-  assert(!problem.members.empty());
-  Course greedy(problem_);
+void TeamPlanner::begin(const SearchProblem& problem, Rng rng) {
+  assert(!problem.members.empty() && !problem.masses.empty());
+  rng_ = rng;
+  problem_ = std::make_unique<PreparedProblem>(problem);
+  objective_.emplace(problem.masses, problem.horizon_s, problem.tail_s);
+  nodes_.assign(1, {});
+  rollouts_ = 0;
+  Course greedy(*problem_);
   complete(greedy, false);
-  reference_s_ = 1.1 * keep_if_better(greedy);
-  nodes_.emplace_back();
+  best_ = greedy.routes();
+  best_value_s_ = value_s(best_);
+  reference_s_ = 1.1 * best_value_s_;
 }
 
 void TeamPlanner::run(int rollouts, const std::function<bool()>& stop) {
@@ -40,18 +42,29 @@ void TeamPlanner::complete(Course& course, bool randomly) {
   }
 }
 
+double TeamPlanner::value_s(const Routes& routes) {
+  looks_ = problem_->fixed_looks();
+  for (std::size_t m = 0; m < routes.size(); ++m) problem_->add_looks(m, routes[m], looks_);
+  const double expected_s = objective_->forecast(looks_).expected_time_s;
+  const auto& rejected = problem_->problem().rejected;
+  if (rejected.empty()) return expected_s;
+  std::vector<TimedPath> paths;
+  for (std::size_t m = 0; m < routes.size(); ++m) paths.push_back(problem_->path(m, routes[m]));
+  const bool is_rejected = std::ranges::any_of(rejected, [&](const auto& plan) { return is_like(paths, plan); });
+  return is_rejected ? expected_s + kRejectedPenalty_s : expected_s;
+}
+
 double TeamPlanner::keep_if_better(const Course& course) {
-  JointPlan plan = evaluated(problem_, course.places(), forecaster_);
-  const double value_s = plan.value_s;
-  if (!has_best_ || value_s < best_.value_s) {
-    best_ = std::move(plan);
-    has_best_ = true;
+  const double value = value_s(course.routes());
+  if (value < best_value_s_) {
+    best_ = course.routes();
+    best_value_s_ = value;
   }
-  return value_s;
+  return value;
 }
 
 std::size_t TeamPlanner::child_to_try(const Node& node) const {
-  const double spread_s = std::max(1e-9, reference_s_ - best_.value_s);
+  const double spread_s = std::max(1e-9, reference_s_ - best_value_s_);
   std::size_t best = 0;
   double best_score = -1.0;
   for (std::size_t i = 0; i < node.children.size(); ++i) {
@@ -72,7 +85,7 @@ std::size_t TeamPlanner::child_to_try(const Node& node) const {
 }
 
 void TeamPlanner::rollout() {
-  Course course(problem_);
+  Course course(*problem_);
   std::vector<std::size_t> visited{0};
   // Down the tree to a node that was not expanded yet.
   while (nodes_[visited.back()].expanded && nodes_[visited.back()].member >= 0) {
@@ -111,9 +124,7 @@ void TeamPlanner::rollout() {
 }
 
 JointPlan TeamPlanner::best() {
-  JointPlan plan = best_;
-  add_paths(problem_, forecaster_, plan);
-  return plan;
+  return problem_->plan(best_);
 }
 
 }  // namespace tandem

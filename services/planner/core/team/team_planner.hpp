@@ -1,11 +1,11 @@
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "services/common/random.hpp"
 #include "services/planner/core/team/course.hpp"
+#include "services/planner/core/team/planner.hpp"
 
 namespace tandem {
 
@@ -17,22 +17,15 @@ struct TeamPlannerOptions {
 
 /// Multi-agent Monte Carlo tree search over the members' action sets (paper 4, digest F).
 ///
-/// The first plan is coordinated greedy and exists at once; every rollout can only replace the best plan so far by a
-/// better one. Equal problem, options, seed and number of rollouts give the same plan, bit for bit, however the
-/// rollouts are cut into run() calls.
-class TeamPlanner {
+/// The first plan is coordinated greedy; every rollout can only replace the best plan so far by a better one.
+class TeamPlanner : public Planner {
  public:
-  /// `problem` must outlive the planner and have at least one member.
-  TeamPlanner(const TeamProblem& problem, const TeamPlannerOptions& options, Rng rng);
+  explicit TeamPlanner(const TeamPlannerOptions& options) : options_(options) {}
 
-  /// Makes `rollouts` more rollouts, or fewer if `stop` says so.
-  void run(int rollouts, const std::function<bool()>& stop = {});
-
-  [[nodiscard]] int rollouts() const { return rollouts_; }
-  /// The value of the best plan so far [s]; it never grows.
-  [[nodiscard]] double best_value_s() const { return best_.value_s; }
-  /// The best plan so far, with paths.
-  [[nodiscard]] JointPlan best();
+  void begin(const SearchProblem& problem, Rng rng) override;
+  void run(int rollouts, const std::function<bool()>& stop) override;
+  [[nodiscard]] int rollouts() const override { return rollouts_; }
+  [[nodiscard]] JointPlan best() override;
 
  private:
   struct Node;
@@ -53,13 +46,16 @@ class TeamPlanner {
   double keep_if_better(const Course& course);
   [[nodiscard]] std::size_t child_to_try(const Node& node) const;
 
-  const TeamProblem& problem_;
+  [[nodiscard]] double value_s(const Routes& routes);
+
   TeamPlannerOptions options_;
-  Rng rng_;
-  SearchForecaster forecaster_;
+  Rng rng_{0};
+  std::unique_ptr<PreparedProblem> problem_;
+  std::optional<SearchObjective> objective_;
+  std::vector<Look> looks_;
   std::vector<Node> nodes_;
-  JointPlan best_;
-  bool has_best_ = false;
+  Routes best_;
+  double best_value_s_ = 0.0;
   double reference_s_ = 0.0;  ///< value of the first plan, the zero of the spread
   int rollouts_ = 0;
 };

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
-
 #include "tests/services/planner/support/room.hpp"
 
 namespace tandem {
@@ -17,7 +15,8 @@ struct TwoRooms {
   SearchArea area{map, {.start_in_map = {2.5, 2.5}, .outline_in_map = {}}};
   Observability observability{map, area, 5.0};
   Searcher robot{.id = "robot", .speed_mps = 0.5, .turn_rate_radps = 0.5, .field_of_view_rad = 1.0};
-  ActionSet actions{map, observability, robot, {}, {2.5, 2.5}};
+  ViewTable views{observability, robot};
+  ActionSet actions{map, views, {}, {2.5, 2.5}};
 };
 
 TEST(ActionSet, HasLookoutsInBothRooms) {
@@ -32,31 +31,31 @@ TEST(ActionSet, HasLookoutsInBothRooms) {
   EXPECT_TRUE(right);
 }
 
-TEST(ActionSet, ALegTakesAsManyStepsAsItsWayIsLong) {
+TEST(ActionSet, ALegTakesAsLongAsItsWayAndShowsWhatIsSeenOnIt) {
   TwoRooms rooms;
   const int start = *rooms.actions.add_place({1.5, 2.5}, 0.5);
   const int goal = *rooms.actions.add_place({3.5, 2.5}, 0.5);
   const Leg& leg = rooms.actions.leg(start, goal);
 
   ASSERT_TRUE(leg.possible());
-  EXPECT_NEAR(leg.steps() * rooms.actions.step_s(), 4.0, 0.5);  // 2 m at 0.5 m/s
-  EXPECT_NEAR(leg.initial_heading_rad, 0.0, 0.1);
-  for (const Look& look : leg.looks) {
-    EXPECT_GT(look.probability, 0.0);
-    EXPECT_LE(look.probability, 1.0);
-  }
+  EXPECT_DOUBLE_EQ(leg.duration_s, 4.0);  // 2 m at 0.5 m/s, from the very point to the very point
+  EXPECT_DOUBLE_EQ(leg.initial_heading_rad, 0.0);
+  ASSERT_GT(leg.seen.size(), 0U);
+  EXPECT_DOUBLE_EQ(leg.seen.enter_s.front(), 0.0);
+  for (const double leave_s : leg.seen.leave_s) EXPECT_LE(leave_s, 4.0);
 }
 
-TEST(ActionSet, TurningTakesTheStepsOfTheShorterTurn) {
-  const TwoRooms rooms;
-  EXPECT_EQ(rooms.actions.turning_steps(0.0, 0.0), 0);
-  EXPECT_EQ(rooms.actions.turning_steps(0.0, 1.0), 4);  // 1 rad at 0.5 rad/s is 2 s of 0.5 s
-  EXPECT_EQ(rooms.actions.turning_steps(std::numbers::pi - 0.5, -std::numbers::pi + 0.5), 4);
+TEST(ActionSet, ToStayIsNoLeg) {
+  TwoRooms rooms;
+  const int start = *rooms.actions.add_place({1.5, 2.5}, 0.5);
+  EXPECT_FALSE(rooms.actions.leg(start, start).possible());
 }
 
 TEST(ActionSet, AGoalInAWallIsTheNearestPlaceWithinReachOrNone) {
   TwoRooms rooms;
-  EXPECT_TRUE(rooms.actions.add_place({0.4, 2.5}, 1.0));
+  const auto place = rooms.actions.add_place({0.4, 2.5}, 1.0);
+  ASSERT_TRUE(place);
+  EXPECT_GT(rooms.actions.place(*place).x(), 0.5);
   EXPECT_FALSE(rooms.actions.add_place({-20.0, 2.5}, 1.0));
 }
 

@@ -15,16 +15,19 @@ double length_m(const std::vector<Vector2d>& way) {
   return sum;
 }
 
+std::vector<Vector2d> way_between(const MotionMap& motion, const Vector2d& from, const Vector2d& to) {
+  const auto paths = motion.shortest_paths(*motion.nearest_node(from, 1.0));
+  return motion.way(paths, *motion.nearest_node(to, 1.0), from, to);
+}
+
 TEST(MotionMap, InTheOpenTheWayIsStraight) {
   const OccupancyGrid map = empty_room(10, 10);
   const MotionMap motion(map, {});
-  const int from = *motion.nearest_node({2, 2}, 1.0);
-  const int to = *motion.nearest_node({8, 8}, 1.0);
-  const auto way = motion.way(motion.shortest_paths(from), to);
+  const auto way = way_between(motion, {2, 2}, {8, 8});
 
-  EXPECT_EQ(way.front(), motion.point(from));
-  EXPECT_EQ(way.back(), motion.point(to));
-  EXPECT_LT(length_m(way), 1.02 * (motion.point(to) - motion.point(from)).norm());
+  EXPECT_EQ(way.front(), (Vector2d{2, 2}));
+  EXPECT_EQ(way.back(), (Vector2d{8, 8}));
+  EXPECT_LT(length_m(way), 1.02 * (Vector2d{8, 8} - Vector2d{2, 2}).norm());
 }
 
 TEST(MotionMap, GoesAroundAWallWithClearance) {
@@ -33,8 +36,7 @@ TEST(MotionMap, GoesAroundAWallWithClearance) {
   MotionOptions robot;
   robot.radius_m = 0.45;
   const MotionMap motion(map, robot);
-  const auto way =
-      motion.way(motion.shortest_paths(*motion.nearest_node({1.5, 3}, 0.5)), *motion.nearest_node({4.5, 3}, 0.5));
+  const auto way = way_between(motion, {1.5, 3}, {4.5, 3});
 
   ASSERT_GE(way.size(), 3U);
   for (std::size_t i = 1; i < way.size(); ++i) EXPECT_GE(motion.clearance_m(way[i - 1], way[i]), 0.43);
@@ -49,10 +51,7 @@ TEST(MotionMap, ARobotDoesNotFitThroughAGapForAPerson) {
   robot.radius_m = 0.45;
   const auto fits = [&](const MotionOptions& options) {
     const MotionMap motion(map, options);
-    return !motion
-                .way(motion.shortest_paths(*motion.nearest_node({1.7, 1.7}, 1.0)),
-                     *motion.nearest_node({4.6, 1.7}, 1.0))
-                .empty();
+    return !way_between(motion, {1.7, 1.7}, {4.6, 1.7}).empty();
   };
   EXPECT_TRUE(fits(person));
   EXPECT_FALSE(fits(robot));
@@ -61,8 +60,7 @@ TEST(MotionMap, ARobotDoesNotFitThroughAGapForAPerson) {
 TEST(MotionMap, ABlockedPlaceIsAvoided) {
   const OccupancyGrid map = empty_room(10, 6);
   const MotionMap motion(map, {}, {{{5, 3}, 0.8}});
-  const auto way =
-      motion.way(motion.shortest_paths(*motion.nearest_node({2, 3}, 0.5)), *motion.nearest_node({8, 3}, 0.5));
+  const auto way = way_between(motion, {2, 3}, {8, 3});
 
   ASSERT_GE(way.size(), 3U);
   for (std::size_t i = 1; i < way.size(); ++i) EXPECT_GT(motion.clearance_m(way[i - 1], way[i]), 0.0);

@@ -66,7 +66,7 @@ TEST(PlanningScenario, SaysWhereWhoAndWhat) {
   EXPECT_EQ(scenario.agents[0].kind, ScenarioAgentKind::Robot);
   EXPECT_EQ(scenario.agents[1].latency_s, 5.0);
   EXPECT_EQ(scenario.agents[1].goal_in_map->x(), 7.0);
-  EXPECT_EQ(scenario.agents[2].battery_s, 90.0);
+  EXPECT_EQ(scenario.agents[2].searcher.endurance_s, 90.0);
   EXPECT_EQ(scenario.world.agents, (std::vector<std::string>{"robot", "person", "drone"}));
   EXPECT_EQ(scenario.world.sources.size(), 2U);
   EXPECT_EQ(scenario.world.relations.size(), 1U);
@@ -87,8 +87,8 @@ TEST(PlanningScenario, AnAgentIsAsUsualForItsKindWhereNothingElseIsSaid) {
 TEST(PlanningScenario, WhoFliesHasALayerOfItsOwn) {
   const PlanningScenario scenario = office();
   EXPECT_EQ(scenario.altitudes_m, (std::vector<double>{0.0, 2.5}));
-  EXPECT_EQ(scenario.agents[0].layer, 0);
-  EXPECT_EQ(scenario.agents[2].layer, 1);
+  EXPECT_EQ(scenario.agents[0].searcher.layer, 0);
+  EXPECT_EQ(scenario.agents[2].searcher.layer, 1);
   const auto layers = layers_of(scenario);
   ASSERT_EQ(layers.size(), 2U);
   EXPECT_TRUE(layers[0].at(Eigen::Vector2d{4.0, 1.0}) == CellState::Occupied);

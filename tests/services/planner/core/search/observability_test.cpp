@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tests/services/planner/support/search_world.hpp"
+#include "tests/services/planner/support/search_case.hpp"
 
 namespace tandem {
 namespace {

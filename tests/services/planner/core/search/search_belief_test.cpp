@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "services/common/random.hpp"
-#include "tests/services/planner/support/search_world.hpp"
+#include "tests/services/planner/support/search_case.hpp"
 
 namespace tandem {
 namespace {

@@ -18,8 +18,8 @@ TEST(ScenarioTask, TheTeamOfTheScenarioIsTheTeamOfTheTask) {
   ScenarioAgent drone;
   drone.searcher.id = "drone";
   drone.altitude_m = 3.0;
-  drone.layer = 1;
-  drone.battery_s = 90.0;
+  drone.searcher.layer = 1;
+  drone.searcher.endurance_s = 90.0;
   scenario.agents = {person, drone};
   scenario.world.agents = {"person", "drone"};
 
@@ -32,8 +32,8 @@ TEST(ScenarioTask, TheTeamOfTheScenarioIsTheTeamOfTheTask) {
   EXPECT_EQ(problem.agents[0].committed.points.back().point_in_map, (Eigen::Vector2d{1.0, 2.0}));
   EXPECT_TRUE(problem.agents[0].goal_in_map);
   EXPECT_TRUE(problem.agents[1].committed.points.empty());
-  EXPECT_EQ(problem.agents[1].layer, 1);
-  EXPECT_EQ(problem.agents[1].battery_s, 90.0);
+  EXPECT_EQ(problem.agents[1].searcher.layer, 1);
+  EXPECT_EQ(problem.agents[1].searcher.endurance_s, 90.0);
 }
 
 }  // namespace

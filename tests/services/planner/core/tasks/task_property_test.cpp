@@ -315,7 +315,7 @@ TEST(TaskProperty, T23ABatteryThatRunsOutLimitsTheWay) {
   const auto full = plan_task(problem, 500, Rng{1});
   ASSERT_TRUE(full);
   EXPECT_NEAR(full->value, 11.0, 1e-9);
-  problem.agents[0].battery_s = 6.0;
+  problem.agents[0].searcher.endurance_s = 6.0;
   const auto low = plan_task(problem, 500, Rng{1});
   ASSERT_TRUE(low);
   EXPECT_EQ(visits_of(problem, *low, 0), "near");

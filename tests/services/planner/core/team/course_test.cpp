@@ -2,20 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/services/planner/support/search_world.hpp"
+#include "tests/services/planner/support/search_case.hpp"
 
 namespace tandem {
 namespace {
 
-/// Two who start at one place of a hall of 16 m x 10 m.
-SearchWorld team_in_a_hall() {
-  return {empty_room(16, 10), {3, 3}};
+/// Some who start at one place of a hall of 16 m x 10 m.
+SearchCase team_in_a_hall(std::vector<Searcher> searchers) {
+  return {empty_room(16, 10), {3, 3}, std::move(searchers)};
 }
 
 TEST(Course, ChoicesComeBestFirstAndNeverMoreThanAsked) {
-  SearchWorld world = team_in_a_hall();
-  world.add(test_person(), {3, 3});
-  const auto choices = Course{world.problem}.choices(0, 4);
+  SearchCase hall = team_in_a_hall({test_person()});
+  const PreparedProblem prepared{hall.problem};
+  const auto choices = Course{prepared}.choices(0, 4);
 
   ASSERT_FALSE(choices.empty());
   EXPECT_LE(choices.size(), 4U);
@@ -23,10 +23,9 @@ TEST(Course, ChoicesComeBestFirstAndNeverMoreThanAsked) {
 }
 
 TEST(Course, WhatOneHasPromisedToLookAtIsWorthLessToTheOther) {
-  SearchWorld world = team_in_a_hall();
-  world.add(test_person(), {3, 3});
-  world.add(test_person(), {3, 3});
-  Course course{world.problem};
+  SearchCase hall = team_in_a_hall({test_person(), test_person()});
+  const PreparedProblem prepared{hall.problem};
+  Course course{prepared};
   const Choice best = course.choices(0, 1).front();
   const auto gain_of_best = [&](int member) {
     for (const Choice& choice : course.choices(member, 100)) {
@@ -40,20 +39,19 @@ TEST(Course, WhatOneHasPromisedToLookAtIsWorthLessToTheOther) {
 }
 
 TEST(Course, WhoArrivesFirstChoosesNextUntilAllAreBusyToTheEnd) {
-  SearchWorld world = team_in_a_hall();
-  world.add(test_person(), {3, 3});
-  world.add(test_robot(), {3, 3});
-  Course course{world.problem};
+  SearchCase hall = team_in_a_hall({test_person(), test_robot()});
+  const PreparedProblem prepared{hall.problem};
+  Course course{prepared};
   EXPECT_EQ(course.next_member(), 0);
   course.choose(0, course.choices(0, 1).front().place);
   EXPECT_EQ(course.next_member(), 1);
   int choices_made = 1;
   for (int member = course.next_member(); member >= 0; member = course.next_member(), ++choices_made) {
-    ASSERT_LT(choices_made, 2 * world.problem.horizon_steps);
+    ASSERT_LT(choices_made, 200);
     course.choose(member, course.choices(member, 1).front().place);
   }
-  EXPECT_GT(course.places()[0].size(), 1U);
-  EXPECT_GT(course.places()[1].size(), 1U);
+  EXPECT_GT(course.routes()[0].size(), 1U);
+  EXPECT_GT(course.routes()[1].size(), 1U);
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "services/planner/core/planner_config.hpp"
+#include "services/planner/core/team/search_world.hpp"
+
+namespace tandem {
+
+/// What `config` says of a search by `robot`, searcher 0, and `person`, searcher 1. `start_in_map` is where the robot
+/// is when the search is prepared [m].
+[[nodiscard]] SearchWorldOptions search_world_options(const PlannerConfig& config, const std::string& robot,
+                                                      const std::string& person, const Eigen::Vector2d& start_in_map);
+
+}  // namespace tandem

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+
+#include "services/common/random.hpp"
+#include "services/planner/core/team/search_problem.hpp"
+
+namespace tandem {
+
+/// A planner of a common search: takes up a problem, has a first plan at once, and makes it better for as long as it is
+/// let.
+///
+/// Equal problem, options, seed and number of rollouts give the same plan, bit for bit, however the rollouts are cut
+/// into run() calls. The value of the best plan never grows.
+class Planner {
+ public:
+  Planner() = default;
+  Planner(const Planner&) = delete;
+  Planner& operator=(const Planner&) = delete;
+  virtual ~Planner() = default;
+
+  /// Takes up `problem`, which must outlive its planning, and makes the first plan.
+  virtual void begin(const SearchProblem& problem, Rng rng) = 0;
+  /// Makes `rollouts` more rollouts, or fewer if `stop` says so.
+  virtual void run(int rollouts, const std::function<bool()>& stop) = 0;
+  /// Rollouts made for this problem.
+  [[nodiscard]] virtual int rollouts() const = 0;
+  /// The best plan so far.
+  [[nodiscard]] virtual JointPlan best() = 0;
+};
+
+}  // namespace tandem
