@@ -40,13 +40,6 @@ ActionSet::ActionSet(const OccupancyGrid& map, ViewTable& views, const ActionSet
   panoramas_.resize(points_.size());
 }
 
-bool ActionSet::prepare_next() {
-  if (prepared_ == lookouts()) return false;
-  for (const int lookout : nearest_lookouts(prepared_)) (void)leg(prepared_, lookout);
-  ++prepared_;
-  return true;
-}
-
 void ActionSet::forget_added_places() {
   const auto count = static_cast<std::size_t>(lookouts());
   if (points_.size() == count) return;

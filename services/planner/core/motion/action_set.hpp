@@ -46,8 +46,6 @@ class ActionSet {
   ActionSet(const ActionSet&) = delete;  // its parts point at each other
   ActionSet& operator=(const ActionSet&) = delete;
 
-  /// Finds ways and views of one more lookout ahead of need; false once all are there.
-  bool prepare_next();
   /// Forgets the places added for the last plan.
   void forget_added_places();
   /// Adds a start or goal: the point itself, or where one can stand near it; none if that is not within `reach_m`.
@@ -75,7 +73,6 @@ class ActionSet {
   ViewTable& views_;
   MotionMap motion_;
   RoadGraph roads_;
-  int prepared_ = 0;                               ///< lookouts, from the first
   std::vector<Eigen::Vector2d> points_;            ///< per place [m]
   std::vector<std::vector<int>> nearest_;          ///< per place
   std::map<std::pair<int, int>, Leg> legs_;        ///< between lookouts

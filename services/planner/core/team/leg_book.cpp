@@ -31,6 +31,25 @@ void LegBook::forget_added_places() {
   added_.clear();
 }
 
+bool LegBook::prepare_next() {
+  if (prepared_ == actions_.lookouts()) return false;
+  for (const int lookout : actions_.nearest_lookouts(prepared_)) (void)leg(prepared_, lookout);
+  ++prepared_;
+  return true;
+}
+
+const CompactLeg* LegBook::known_leg(int from, int to) const {
+  const auto at = static_cast<std::size_t>(from);
+  if (dense_ && from < actions_.lookouts() && to < actions_.lookouts()) {
+    return by_place_[at][static_cast<std::size_t>(to)];
+  }
+  if (rows_.size() <= at) return nullptr;
+  for (const Entry& entry : rows_[at]) {
+    if (entry.to == to) return entry.leg;
+  }
+  return nullptr;
+}
+
 const CompactLeg& LegBook::leg(int from, int to) {
   const auto at = static_cast<std::size_t>(from);
   if (dense_ && from < actions_.lookouts() && to < actions_.lookouts()) {

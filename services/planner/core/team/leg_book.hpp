@@ -28,10 +28,14 @@ class LegBook {
   /// `actions` must outlive it and must not forget its lookouts.
   explicit LegBook(ActionSet& actions);
 
+  /// Finds the legs from one more lookout to those nearest to it ahead of need; false once all are there.
+  bool prepare_next();
   /// Forgets the legs of places that were added for the last plan.
   void forget_added_places();
   /// The leg from one place to another; stays where it is until its places are forgotten.
   [[nodiscard]] const CompactLeg& leg(int from, int to);
+  /// That leg if it was found already.
+  [[nodiscard]] const CompactLeg* known_leg(int from, int to) const;
   [[nodiscard]] bool first_sight() const { return first_sight_; }
   [[nodiscard]] ActionSet& actions() { return actions_; }
 
@@ -45,6 +49,7 @@ class LegBook {
   ActionSet& actions_;
   bool first_sight_ = false;
   double rate_per_s_ = 0.0;
+  int prepared_ = 0;                                      ///< lookouts, from the first
   bool dense_ = false;                                    ///< few lookouts: rows are indexed by place
   std::vector<std::vector<const CompactLeg*>> by_place_;  ///< per lookout, then lookout
   std::vector<std::vector<Entry>> rows_;                  ///< per place: all others

@@ -19,7 +19,8 @@ struct LookoutCloud {
   }
 };
 
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, LookoutCloud>, LookoutCloud, 2, std::uint32_t>;
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, LookoutCloud>, LookoutCloud, 2,
+                                                 std::uint32_t>;
 
 }  // namespace
 

@@ -46,7 +46,7 @@ void SearchWorld::block(int searcher, const std::vector<BlockedDisc>& blocked, c
 }
 
 bool SearchWorld::prepare_next() {
-  return std::ranges::any_of(capabilities_, [](Capability& known) { return known.actions->prepare_next(); });
+  return std::ranges::any_of(capabilities_, [](Capability& known) { return known.book->prepare_next(); });
 }
 
 void SearchWorld::forget_added_places() {

@@ -86,18 +86,19 @@ Routes TandemPlanner::running_plan() const {
 
 void TandemPlanner::run(int rollouts, const std::function<bool()>& stop) {
   for (int i = 0; i < rollouts && !(stop && stop()); ++i, ++rollouts_) {
-    for (int k = 0; k < options_.tree_rollouts; ++k) {
+    if (options_.tree_every > 0 && rollouts_ % options_.tree_every == 0) {
       const double value_s = tree_->rollout(rng_);
-      if (value_s >= best_s_) continue;
-      best_ = tree_->routes();
-      best_s_ = value_s;
-      refinement_->restart(best_, best_s_);
+      if (value_s < best_s_) {
+        best_ = tree_->routes();
+        best_s_ = value_s;
+        refinement_->restart(best_, best_s_);
+      }
     }
     if (options_.moves == 0 || !refinement_->improve(options_.moves, rng_) || refinement_->best_s() >= best_s_)
       continue;
     best_ = refinement_->best();
     best_s_ = refinement_->best_s();
-    if (options_.tree_rollouts > 0) tree_->remember(best_, best_s_);
+    if (options_.tree_every > 0) tree_->remember(best_, best_s_);
   }
 }
 

@@ -15,7 +15,7 @@ struct TandemOptions {
   WalkOptions walk;
   RefinementOptions refinement;
   int moves = 48;          ///< of refinement in a rollout; 0: tree only
-  int tree_rollouts = 1;   ///< in a rollout; 0: refinement only
+  int tree_every = 16;     ///< only one rollout of so many goes through the tree; 0: none
   bool seeds = true;       ///< greedy of two exponents, sequential allocation; else one greedy
   bool warm_start = true;  ///< the plan in execution is a seed, too
 };
