@@ -8,6 +8,7 @@
 #include "services/cli/localize_command.hpp"
 #include "services/cli/record_command.hpp"
 #include "services/cli/replay_command.hpp"
+#include "services/cli/study_command.hpp"
 #include "services/cli/topics_command.hpp"
 #include "services/cli/up_command.hpp"
 #include "services/common/version.hpp"
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
   add_info_command(app);
   add_import_command(app);
   add_localize_command(app);
+  add_study_command(app);
   add_topics_command(app);
 
   try {

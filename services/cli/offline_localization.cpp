@@ -1,21 +1,15 @@
 #include "services/cli/offline_localization.hpp"
 
-#include <ctime>
 #include <set>
 
 #include "idl/topics.hpp"
 #include "services/bus/codec.hpp"
+#include "services/cli/thread_time.hpp"
 #include "services/localization/core/localizer.hpp"
 #include "services/localization/localization_messages.hpp"
 
 namespace tandem::cli {
 namespace {
-
-double thread_cpu_ms() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
-}
 
 template <class PubSubType>
 std::optional<typename PubSubType::type> decoded(const mcap::Message& message) {

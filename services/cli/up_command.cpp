@@ -8,6 +8,7 @@
 
 #include "services/bus/domain_lease.hpp"
 #include "services/cli/command.hpp"
+#include "services/cli/scenario_files.hpp"
 #include "services/cli/up/episode.hpp"
 #include "services/cli/up/run_folder.hpp"
 #include "services/cli/up/screen.hpp"
@@ -46,20 +47,6 @@ void check_processes(Supervisor& supervisor) {
   }
 }
 
-fs::path scenario_file(const UpOptions& options, const fs::path& root) {
-  if (fs::exists(options.scenario)) return options.scenario;
-  const fs::path file = root / "scenarios" / (options.scenario + ".json");
-  if (fs::exists(file)) return file;
-  std::string names;
-  for (const auto& entry : fs::directory_iterator(root / "scenarios")) {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".json") && name.find("schema") == std::string::npos) {
-      names += (names.empty() ? "" : ", ") + entry.path().stem().string();
-    }
-  }
-  throw WrongUse("no scenario '" + options.scenario + "'; there are: " + names);
-}
-
 nlohmann::json report_of(const Episode& episode, const SimulatedRun& run, const simulator::Scenario& scenario,
                          double processor_cores) {
   const EpisodeView& view = episode.view();
@@ -84,7 +71,7 @@ nlohmann::json report_of(const Episode& episode, const SimulatedRun& run, const 
 /// A whole episode on simulated hardware, both hosts on this machine.
 void simulate(const UpOptions& options) {
   const fs::path root = options.config.empty() ? default_config_root() : fs::path{options.config};
-  const fs::path file = scenario_file(options, root);
+  const fs::path file = scenario_file(options.scenario, root);
   const auto scenario = simulator::load_scenario(file);
 
   SimulatedRun run;

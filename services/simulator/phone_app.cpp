@@ -10,6 +10,8 @@ protocol::CommandKind kind_of(PhonePress press) {
   switch (press) {
     case PhonePress::MyPose:
       return protocol::CommandKind::MyPose;
+    case PhonePress::MyGoal:
+      return protocol::CommandKind::MyGoal;
     case PhonePress::Replan:
       return protocol::CommandKind::Replan;
     case PhonePress::Found:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace tandem::simulator {
 namespace {
@@ -34,17 +33,12 @@ PhoneUserDecision ObedientPerson::step(const PhoneUserInput& input, Rng& rng) {
       return decision;
     }
   }
+  if (auto pose = my_pose_.pressed(input, rng)) decision.messages.push_back(*pose);
   if (!greeted_) {
     greeted_ = true;
-    decision.messages.push_back(my_pose(input, rng));
     decision.messages.push_back({PhonePress::Replan, std::nullopt, std::nullopt});
-    next_my_pose_ = input.now + from_seconds(habits_.my_pose_period_s);
     last_replan_ = idle_since_ = input.now;
     return decision;
-  }
-  if (input.now >= next_my_pose_) {
-    decision.messages.push_back(my_pose(input, rng));
-    next_my_pose_ = input.now + from_seconds(habits_.my_pose_period_s * rng.uniform(0.75, 1.25));
   }
   react_to_plan(input, rng, decision);
   ask_for_plan(input, decision);
@@ -75,12 +69,6 @@ void ObedientPerson::ask_for_plan(const PhoneUserInput& input, PhoneUserDecision
   if (!waited || input.computing) return;
   decision.messages.push_back({PhonePress::Replan, std::nullopt, std::nullopt});
   last_replan_ = input.now;
-}
-
-PhoneMessage ObedientPerson::my_pose(const PhoneUserInput& input, Rng& rng) const {
-  const double each_axis_m = habits_.my_pose_error_m / std::numbers::sqrt2;
-  const Eigen::Vector2d error{rng.normal(0.0, each_axis_m), rng.normal(0.0, each_axis_m)};
-  return {PhonePress::MyPose, input.map_from_person.position() + error, input.map_from_person.heading};
 }
 
 }  // namespace tandem::simulator

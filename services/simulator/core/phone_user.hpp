@@ -33,12 +33,12 @@ struct PhoneUserInput {
   std::optional<Eigen::Vector2d> visible_token_in_map = {};  ///< In line of sight and near enough to be seen.
 };
 
-enum class PhonePress { MyPose, Replan, Found };
+enum class PhonePress { MyPose, MyGoal, Replan, Found };
 
 /// One press on the phone.
 struct PhoneMessage {
   PhonePress press = PhonePress::Replan;
-  std::optional<Eigen::Vector2d> point_in_map;  ///< MyPose, Found [m]
+  std::optional<Eigen::Vector2d> point_in_map;  ///< MyPose, MyGoal, Found [m]
   std::optional<double> heading;                ///< MyPose [rad]
 };
 

@@ -50,12 +50,14 @@ void SearchMission::end_session() {
   if (activity_ != MissionActivity::Finished) activity_ = MissionActivity::Idle;
 }
 
-/// A new search: everything is unexplored again, nobody has asked for anything.
+/// A new search: everything is unexplored again, nobody has asked for anything, and chance begins anew.
 void SearchMission::start_search() {
   computation_.reset();
   plan_.reset();
   acceptance_.clear();
   rejected_.clear();
+  blocked_since_.reset();
+  plans_ = 0;
   goals_ = {};
   for (auto& watch : watches_) watch.pause();
   activity_ = MissionActivity::Idle;
@@ -158,6 +160,12 @@ bool SearchMission::step(Time now, const std::function<bool()>& slice_over) {
   const auto budget = static_cast<int>(config_.rollouts);
   computation_->planner->run(budget - computation_->planner->rollouts(), slice_over);
   if (computation_->planner->rollouts() < budget) return false;
+  finish_plan(now);
+  return true;
+}
+
+bool SearchMission::conclude(Time now) {
+  if (!computation_) return false;
   finish_plan(now);
   return true;
 }

@@ -74,6 +74,8 @@ class SearchMission {
 
   /// Computes for one slice, which ends when `slice_over` says so. Returns true when there is a new plan.
   bool step(Time now, const std::function<bool()>& slice_over);
+  /// Ends computing with the best plan so far; false if no plan is being computed.
+  bool conclude(Time now);
 
   [[nodiscard]] MissionActivity activity() const { return activity_; }
   [[nodiscard]] double progress() const;  ///< of computing, [0, 1]

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 namespace tandem {
 
 /// Who leads, as follows from whose goals a person has fixed (paper 6, digest 1.4).
@@ -14,6 +17,29 @@ enum class Role {
 [[nodiscard]] constexpr Role role_of(bool person_goal_fixed, bool robot_goal_fixed) {
   if (person_goal_fixed) return robot_goal_fixed ? Role::MasterSlave : Role::PeerPeer;
   return robot_goal_fixed ? Role::LeaderLeader : Role::LeaderFollower;
+}
+
+/// A role as it is called in files: leader_follower, ...
+[[nodiscard]] constexpr const char* name_of(Role role) {
+  switch (role) {
+    case Role::LeaderFollower:
+      return "leader_follower";
+    case Role::PeerPeer:
+      return "peer_peer";
+    case Role::MasterSlave:
+      return "master_slave";
+    case Role::LeaderLeader:
+      break;
+  }
+  return "leader_leader";
+}
+
+/// The role that name_of() calls so, if there is one.
+[[nodiscard]] constexpr std::optional<Role> role_named(std::string_view name) {
+  for (const Role role : {Role::LeaderFollower, Role::PeerPeer, Role::MasterSlave, Role::LeaderLeader}) {
+    if (name_of(role) == name) return role;
+  }
+  return std::nullopt;
 }
 
 }  // namespace tandem

@@ -274,6 +274,36 @@ TEST_F(SearchMissionTest, AnotherSessionIsANewSearch) {
   EXPECT_TRUE(plan());
 }
 
+TEST_F(SearchMissionTest, ASearchDoesNotDependOnTheOneBefore) {
+  const Pose2 robot_start = robot;
+  const Pose2 person_start = person;
+  run();
+  ASSERT_TRUE(plan());
+  const auto first = paths();
+  carry_out(seconds{20});
+  robot = robot_start;
+  person = person_start;
+  pass(std::chrono::hours{1});
+  mission.run_session("s2", now);
+  ASSERT_TRUE(plan());
+  ASSERT_EQ(paths().size(), first.size());
+  for (std::size_t m = 0; m < first.size(); ++m) {
+    ASSERT_EQ(paths()[m].points.size(), first[m].points.size());
+    for (std::size_t i = 0; i < first[m].points.size(); ++i) {
+      EXPECT_EQ(paths()[m].points[i].point_in_map, first[m].points[i].point_in_map);
+    }
+  }
+}
+
+TEST_F(SearchMissionTest, WhenTheTimeIsUpTheBestPlanSoFarIsProposed) {
+  EXPECT_FALSE(mission.conclude(now));  // nothing is being computed
+  run();
+  EXPECT_FALSE(mission.step(now, [] { return true; }));
+  EXPECT_TRUE(mission.conclude(now));
+  EXPECT_EQ(mission.standing(now), PlanStanding::Proposed);
+  EXPECT_EQ(mission.activity(), MissionActivity::Idle);
+}
+
 TEST_F(SearchMissionTest, NoFloorToSearchIsAFailureWithAReason) {
   SearchMission walled(config(), "robot", "person");
   walled.set_map(room({"###", "###"}));

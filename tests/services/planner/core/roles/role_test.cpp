@@ -12,5 +12,13 @@ TEST(Role, FollowsFromWhoseGoalsThePersonFixed) {
   EXPECT_EQ(role_of(false, true), Role::LeaderLeader);
 }
 
+TEST(Role, ANameMeansTheRoleThatBearsIt) {
+  for (const Role role : {Role::LeaderFollower, Role::PeerPeer, Role::MasterSlave, Role::LeaderLeader}) {
+    EXPECT_EQ(role_named(name_of(role)), role);
+  }
+  EXPECT_STREQ(name_of(Role::MasterSlave), "master_slave");
+  EXPECT_FALSE(role_named("slave_master"));
+}
+
 }  // namespace
 }  // namespace tandem
