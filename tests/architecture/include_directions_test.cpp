@@ -36,6 +36,7 @@ const std::vector<Row>& rows() {
       {"services/tracking/core/", with(kCore, {"services/tracking/core/"})},
       {"services/tracking/", with(kShell, {"services/tracking/"})},
       {"services/planner/core/", with(kCore, {"services/planner/core/"})},
+      {"services/planner/remote/", with(kCore, {"services/planner/core/", "services/planner/remote/"})},
       {"services/planner/", with(kShell, {"services/planner/"})},
       {"services/navigator/core/", with(kCore, {"services/navigator/core/"})},
       {"services/navigator/", with(kShell, {"services/navigator/"})},
@@ -66,7 +67,7 @@ const std::vector<Row>& rows() {
       // What Vite built, as a table of texts.
       {"gateway/web/", {"gateway/net/"}},
       {"calibration/", with(kCore, {"calibration/", "*/core/"})},
-      {"bench/", with(kCore, {"bench/", "*/core/"})},
+      {"bench/", with(kCore, {"bench/", "*/core/", "services/planner/remote/"})},
   };
   return table;
 }

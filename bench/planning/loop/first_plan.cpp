@@ -6,9 +6,9 @@
 
 #include "bench/planning/instance/instance_world.hpp"
 #include "bench/planning/loop/cpu_clock.hpp"
+#include "bench/planning/loop/named_planner.hpp"
 #include "bench/planning/oracles/lookout_model.hpp"
 #include "bench/planning/oracles/sweep_bound.hpp"
-#include "services/planner/core/planners/registry.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -47,7 +47,7 @@ FirstPlanRecord made_first_plan(const FirstPlanRequest& request) {
   }
   record.prepare_ms += thread_cpu_ms() - before_ms;
   const SearchProblem problem = problem_at_start(instance, *world, prior);
-  const auto planner = make_planner(request.key.planner);
+  const auto planner = named_planner(request.key.planner, 1e-3 * request.budgets_ms.back());
   before_ms = thread_cpu_ms();
   planner->begin(problem, Rng{request.key.planner_seed});
   record.first_plan_ms = thread_cpu_ms() - before_ms;

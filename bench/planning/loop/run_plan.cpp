@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "bench/planning/loop/named_planner.hpp"
 #include "services/common/config.hpp"
-#include "services/planner/core/planners/registry.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -77,7 +77,7 @@ RunRecord made_run(const RunRequest& request) {
   options.seed = request.key.planner_seed;
   options.shares_looks = !request.key.planner.starts_with("independent");
   const LoopResult result = played(
-      instance, [&] { return make_planner(request.key.planner); }, options);
+      instance, [&] { return named_planner(request.key.planner, 1e-3 * request.budget.cpu_ms); }, options);
   return record_of(request.key, instance, result);
 }
 
