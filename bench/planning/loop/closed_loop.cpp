@@ -136,7 +136,7 @@ class Loop {
 
   /// Until the next plan: a path ends, or the period is over.
   [[nodiscard]] double next_stretch_s() const {
-    double stretch_s = instance_.replan_period_s;
+    double stretch_s = planners_.front()->replans_under_way() ? instance_.replan_period_s : instance_.horizon_s;
     for (const TimedPath& path : current_) {
       if (path.duration_s() > 1e-6) stretch_s = std::min(stretch_s, path.duration_s());
     }
