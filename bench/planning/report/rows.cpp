@@ -187,6 +187,20 @@ void add_row_10_and_11(const Results& results, const std::string& budget, std::v
     overlap.verdict = verdict(mean_of(ours) <= 0.5 * mean_of(papers));
   }
   lines.push_back(overlap);
+  const std::vector<std::string> humans{"S5obedient", "S5late", "S5own", "S5random", "S5stubborn", "S5announces"};
+  const auto add_human = [&](const char* other, const char* target, double PairedComparison::*figure, double limit) {
+    TargetLine line{10, target, "", Verdict::NotMeasured};
+    const PairedComparison c = results.compared_with(
+        kOurs, other, humans, results.budgets_of("S5own").empty() ? "" : results.budgets_of("S5own").front());
+    if (c.instances > 0) {
+      line.measured = formatted("%.3f [%.3f, %.3f], worst %.3f, n=%zu", c.ratio.value, c.ratio.low, c.ratio.high,
+                                c.worst, c.instances);
+      line.verdict = verdict((figure == nullptr ? c.ratio.high : c.*figure) <= limit);
+    }
+    lines.push_back(line);
+  };
+  add_human("tandem@clairvoyant", "S5: E[T] at most 1.15 of a clairvoyant robot's (upper end)", nullptr, 1.15);
+  add_human("tandem@alone", "S5: never worse than a robot that ignores the person", &PairedComparison::worst, 1.0);
   const auto reproducible = results.micro_values("reproducible", "S1u");
   TargetLine equal{11, "equal seed and rollouts, equal searches, alone and two at a time", "", Verdict::NotMeasured};
   if (!reproducible.empty()) {
