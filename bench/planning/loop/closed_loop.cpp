@@ -18,7 +18,9 @@ namespace {
 constexpr double kAllSeenFirstSight = 1e-9;
 constexpr double kAllSeenExponential = 1e-4;  ///< what then is left is found one sweep later
 constexpr double kLeastStretch_s = 1.0;
-constexpr int kFruitlessPlans = 2;  ///< after so many plans on which nothing was seen, the nearest unseen is walked to
+/// The nearest unseen is walked to if a plan promises nothing, and if nothing was seen for so long.
+constexpr double kLeastPatience_s = 30.0;
+constexpr double kPatiencePeriods = 3.0;
 constexpr double kLeastFruit = 1e-9;
 constexpr double kChangeWindow_s = 30.0;
 constexpr double kReaction_s = 5.0;  ///< A person who reads a new plan goes on so long as before.
@@ -72,18 +74,14 @@ class Loop {
         instance_.searchers, [](const Searcher& searcher) { return std::isinf(searcher.detection_rate_per_s); });
     const double all_seen = first_sight ? kAllSeenFirstSight : kAllSeenExponential;
     double left_sum = 1.0;
-    int fruitless = 0;
+    double seen_last_s = 0.0;
     while (now_s_ < instance_.horizon_s && left_sum > all_seen) {
-      const bool falls_back = fruitless >= kFruitlessPlans;
-      if (falls_back) {
-        go_to_unseen();
-      } else {
-        plan_all();
-      }
+      const double patience_s = std::max(kLeastPatience_s, kPatiencePeriods * instance_.replan_period_s);
+      if (now_s_ - seen_last_s > patience_s || !plan_all()) go_to_unseen();
       walk(next_stretch_s());
       const double before = left_sum;
       left_sum = std::accumulate(left_.begin(), left_.end(), 0.0);
-      fruitless = before - left_sum >= kLeastFruit ? 0 : fruitless + 1;
+      if (before - left_sum >= kLeastFruit) seen_last_s = now_s_;
     }
     result_.finished = left_sum <= all_seen;
     result_.duration_s = now_s_;
@@ -144,8 +142,9 @@ class Loop {
     }
   }
 
-  /// Plans for everybody; the new paths are in current_.
-  void plan_all() {
+  /// Plans for everybody; the new paths are in current_. Whether they promise to see anything new.
+  bool plan_all() {
+    bool promises = false;
     for (Group& group : groups_) {
       const bool is_first = now_s_ == 0.0 && &group == &groups_.front();
       const SearchProblem problem = problem_of(group);
@@ -163,9 +162,11 @@ class Loop {
         result_.first_bound_s = plan.lower_bound_s;
       }
       result_.repeated += std::ranges::any_of(rejected_, [&](const auto& r) { return is_like(plan.paths, r); }) ? 1 : 0;
+      promises = promises || plan.forecast.probability_found > kLeastFruit;
       for (std::size_t i = 0; i < plan.paths.size(); ++i) take_up(group.members[i], plan.paths[i]);
     }
     rejected_.clear();
+    return promises;
   }
 
   void take_up(std::size_t member, TimedPath path) {

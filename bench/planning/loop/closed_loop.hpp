@@ -52,7 +52,7 @@ struct LoopResult {
   double first_bound_s = 0.0;     ///< its certified lower bound, 0 if none
   double sweep_bound_s = 0.0;     ///< sweep_lower_bound_s() of the instance
   int rollouts = 0;               ///< of all plans
-  int fallbacks = 0;              ///< stretches walked to the nearest unseen, as the planner's own plans saw nothing
+  int fallbacks = 0;              ///< stretches walked to the nearest unseen, as plans promised or showed nothing new
   int repeated = 0;               ///< plans that were like one that had been rejected
   double plan_change_m = 0.0;     ///< how far a new plan leads from the old one within 30 s, mean over replans
   std::vector<Walked> walked;

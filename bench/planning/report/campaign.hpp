@@ -17,10 +17,10 @@ inline constexpr const char* kPaperCorrected = "paper_corrected";
 inline constexpr const char* kTunedGreedy = "greedy15";
 
 struct CampaignOptions {
-  bool quick = false;                  ///< few instances and small budgets
-  std::vector<int> rows;               ///< only what these rows of the report need; empty: all
-  std::uint64_t first_seed = 1;        ///< of the instances; 1000001 for those that nothing was tuned on
-  std::vector<std::string> ablations;  ///< options of tandem that switch parts off
+  bool quick = false;                       ///< few instances and small budgets
+  std::vector<int> rows = {};               ///< only what these rows of the report need; empty: all
+  std::uint64_t first_seed = 1;             ///< of the instances; 1000001 for those that nothing was tuned on
+  std::vector<std::string> ablations = {};  ///< options of tandem that switch parts off
 };
 
 /// All that is to be run for a report.
