@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "bench/planning/all_command.hpp"
 #include "bench/planning/instance/families.hpp"
 #include "bench/planning/run_command.hpp"
 #include "services/planner/core/planners/registry.hpp"
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   std::function<int()> chosen;
   add_run_command(app, chosen);
+  add_all_command(app, chosen);
   app.add_subcommand("families", "Lists the families of instances")->callback([&] {
     chosen = [] {
       for (const FamilySpec& family : families()) {

@@ -115,10 +115,10 @@ void add_events(PlanningInstance& instance, const OccupancyGrid& map, Rng& rng) 
   using Kind = WorldEvent::Kind;
   const auto somewhere = [&] { return free_place(map, instance.plan, 0.8, rng, [](const Vector2d&) { return true; }); };
   instance.events = {{Kind::RejectedPlan, 30.0, {}, 0.0, 1.0},
-                     {Kind::BlockedPassage, 60.0, somewhere(), 1.0, 1.0},
+                     {Kind::BlockedPassage, 60.0, somewhere(), 0.6, 1.0},
                      {Kind::Hint, 80.0, somewhere(), 4.0, 5.0},
-                     {Kind::Passer, 20.0, somewhere(), 0.5, 1.0},
-                     {Kind::Passer, 40.0, somewhere(), 0.5, 1.0}};
+                     {Kind::Passer, 20.0, somewhere(), 8.0, 1.0},
+                     {Kind::Passer, 40.0, somewhere(), 8.0, 1.0}};
   std::ranges::stable_sort(instance.events, {}, &WorldEvent::time_s);
 }
 
@@ -173,6 +173,11 @@ PlanningInstance instance_of(std::string_view family, std::uint64_t seed) {
   instance.prior = prior_spec(recipe->prior, instance.plan, start, own);
   if (recipe->dynamic) add_events(instance, map, own);
   return instance;
+}
+
+std::size_t person_of(const PlanningInstance& instance) {
+  const auto person = std::ranges::find(instance.searchers, "person1", &Searcher::id);
+  return static_cast<std::size_t>(person - instance.searchers.begin());
 }
 
 std::vector<OccupancyGrid> layers_of(const PlanningInstance& instance) {

@@ -16,7 +16,7 @@ namespace tandem::bench {
 /// What changes in the world while it is searched (S6).
 struct WorldEvent {
   enum class Kind { BlockedPassage, Hint, RejectedPlan, Passer };
-  Kind kind = Kind::Hint;
+  Kind kind = Kind::Hint;  ///< a passer lets everybody within its radius wait
   double time_s = 0.0;
   Eigen::Vector2d centre_in_map = Eigen::Vector2d::Zero();  ///< [m]
   double radius_m = 0.0;
@@ -50,6 +50,9 @@ struct FamilySpec {
 
 /// Instance number `seed` of a family; throws ConfigError, naming the families, if there is none of that name.
 [[nodiscard]] PlanningInstance instance_of(std::string_view family, std::uint64_t seed);
+
+/// The number of the first person among the searchers; as many as there are if there is none.
+[[nodiscard]] std::size_t person_of(const PlanningInstance& instance);
 
 /// The maps searched in: the ground and, if someone flies, the layer above low walls.
 [[nodiscard]] std::vector<OccupancyGrid> layers_of(const PlanningInstance& instance);

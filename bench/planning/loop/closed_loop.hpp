@@ -24,10 +24,20 @@ inline constexpr double kPlanHorizonSweeps = 2.5;  ///< plans are compared over 
 /// Makes a planner; a new one for each search.
 using MakePlanner = std::function<std::unique_ptr<Planner>()>;
 
+/// What the robots make of a person with a will of their own.
+enum class PersonIs {
+  Planned,  ///< a member of the team, who gets a plan and may follow it
+  Known,    ///< on a way that is known to its end: what a clairvoyant robot would plan with
+  Ignored,  ///< not there: their looks count, but no robot hears of them
+};
+
 struct LoopOptions {
   PlanningBudget budget;
   std::uint64_t seed = 1;    ///< of the planner
   bool shares_looks = true;  ///< Otherwise each plans alone and knows only what it saw itself.
+  PersonIs person = PersonIs::Planned;
+  /// The whole way of the person if it is Known or Ignored.
+  TimedPath person_path = {};
 };
 
 /// A whole search with a planner in the loop, and how it went.
@@ -42,7 +52,8 @@ struct LoopResult {
   double first_bound_s = 0.0;     ///< its certified lower bound, 0 if none
   double sweep_bound_s = 0.0;     ///< sweep_lower_bound_s() of the instance
   int rollouts = 0;               ///< of all plans
-  int fallbacks = 0;              ///< stretches walked to the nearest unseen, as the planner's own plans saw nothing
+  int fallbacks = 0;              ///< stretches walked to the nearest unseen, as plans promised or showed nothing new
+  int repeated = 0;               ///< plans that were like one that had been rejected
   double plan_change_m = 0.0;     ///< how far a new plan leads from the old one within 30 s, mean over replans
   std::vector<Walked> walked;
 };

@@ -72,13 +72,22 @@ std::vector<PlanningBudget> parse_budgets(const std::string& text) {
 
 RunRecord made_run(const RunRequest& request) {
   const PlanningInstance instance = instance_of(request.key.family, request.key.seed);
+  // NAME@clairvoyant knows where the person will go, NAME@alone hears nothing of them (S5).
+  const std::string planner = request.key.planner.substr(0, request.key.planner.find('@'));
+  const std::string mode = request.key.planner.substr(std::min(planner.size() + 1, request.key.planner.size()));
   LoopOptions options;
   options.budget = request.budget;
   options.seed = request.key.planner_seed;
-  options.shares_looks = !request.key.planner.starts_with("independent");
-  const LoopResult result = played(
-      instance, [&] { return named_planner(request.key.planner, 1e-3 * request.budget.cpu_ms); }, options);
-  return record_of(request.key, instance, result);
+  options.shares_looks = !planner.starts_with("independent");
+  const auto make = [&] { return named_planner(planner, 1e-3 * request.budget.cpu_ms); };
+  if (!mode.empty()) {
+    if (instance.human.empty())
+      throw ConfigError(request.key.planner + " needs a family with a person of its own will");
+    const LoopResult as_usual = played(instance, make, options);
+    options.person_path = as_usual.walked[person_of(instance)].path;
+    options.person = mode == "clairvoyant" ? PersonIs::Known : PersonIs::Ignored;
+  }
+  return record_of(request.key, instance, played(instance, make, options));
 }
 
 }  // namespace tandem::bench

@@ -50,6 +50,7 @@ RunRecord record_of(const RunKey& key, const PlanningInstance& instance, const L
   record.replans = static_cast<int>(result.replan_ms.size());
   record.rollouts = result.rollouts;
   record.fallbacks = result.fallbacks;
+  record.repeated = result.repeated;
   record.plan_change_m = result.plan_change_m;
   return record;
 }

@@ -49,6 +49,7 @@ struct RunRecord {
   int replans = 0;
   int rollouts = 0;
   int fallbacks = 0;
+  int repeated = 0;  ///< plans like a rejected one
   double plan_change_m = 0.0;
 
   template <typename Self, typename Visitor>
@@ -83,6 +84,7 @@ struct RunRecord {
     field("replans", record.replans);
     field("rollouts", record.rollouts);
     field("fallbacks", record.fallbacks);
+    field("repeated", record.repeated);
     field("plan_change_m", record.plan_change_m);
   }
 };

@@ -7,6 +7,9 @@ namespace tandem {
 /// Cuts what is unseen into pieces, one a member, as large as it can sweep in equal time, and lets each mow its piece
 /// lane by lane, from the end it is nearer to.
 class LawnmowerPlanner final : public OnePlanPlanner {
+ public:
+  [[nodiscard]] bool replans_under_way() const override { return false; }
+
  private:
   [[nodiscard]] Routes routes(const PreparedProblem& problem) const override;
 };

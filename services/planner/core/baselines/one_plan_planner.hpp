@@ -10,9 +10,8 @@ namespace tandem {
 /// A planner that makes one plan and never a better one.
 class OnePlanPlanner : public Planner {
  public:
-  void begin(const SearchProblem& problem, Rng rng) final {
+  void begin(const SearchProblem& problem, Rng /*rng*/) final {
     problem_ = std::make_unique<PreparedProblem>(problem);
-    (void)rng;  // nothing is drawn
     best_ = routes(*problem_);
   }
   void run(int /*rollouts*/, const std::function<bool()>& /*stop*/) final {}

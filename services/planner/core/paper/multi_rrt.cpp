@@ -52,26 +52,11 @@ int added(std::vector<TreeNode>& nodes, const Vector2d& point, int parent) {
   return static_cast<int>(nodes.size()) - 1;
 }
 
-/// Appends all of `tree`, seen from `entry`, below `parent`.
-void append_from(std::vector<TreeNode>& nodes, const RrtStar& tree, int entry, int parent) {
-  const auto& of_tree = tree.nodes();
-  std::vector<std::vector<int>> joined(of_tree.size());
-  for (std::size_t i = 0; i < of_tree.size(); ++i) {
-    if (of_tree[i].parent < 0) continue;
-    joined[i].push_back(of_tree[i].parent);
-    joined[static_cast<std::size_t>(of_tree[i].parent)].push_back(static_cast<int>(i));
-  }
-  struct Open {
-    int node, from, parent;
-  };
-  std::deque<Open> open{{entry, -1, parent}};
-  while (!open.empty()) {
-    const Open at = open.front();
-    open.pop_front();
-    const int copy = added(nodes, of_tree[static_cast<std::size_t>(at.node)].point_in_map, at.parent);
-    for (const int next : joined[static_cast<std::size_t>(at.node)]) {
-      if (next != at.from) open.push_back({next, at.node, copy});
-    }
+/// Appends the way from `entry` to the root of a goal's tree below `parent`.
+void append_way(std::vector<TreeNode>& nodes, const RrtStar& goal, int entry, int parent) {
+  int last = parent;
+  for (int at = entry; at >= 0; at = goal.nodes()[static_cast<std::size_t>(at)].parent) {
+    last = added(nodes, goal.nodes()[static_cast<std::size_t>(at)].point_in_map, last);
   }
 }
 
@@ -106,7 +91,7 @@ std::vector<TreeNode> multi_rrt(const MotionMap& motion, double radius_m, const 
     const RrtStar goal = grown(motion, radius_m, sources[k], options.step_m, options.goal_nodes, rng);
     const auto met = meetings(agent, goal, options.step_m);
     if (met.empty()) continue;
-    append_from(nodes, goal, met.front().goal_node, index[static_cast<std::size_t>(met.front().agent_node)]);
+    append_way(nodes, goal, met.front().goal_node, index[static_cast<std::size_t>(met.front().agent_node)]);
   }
   return nodes;
 }
@@ -138,10 +123,7 @@ std::vector<TreeNode> multi_rrt_to(const MotionMap& motion, double radius_m, con
       index[static_cast<std::size_t>(*at)] =
           added(nodes, node.point_in_map, index[static_cast<std::size_t>(node.parent)]);
     }
-    int last = index[static_cast<std::size_t>(meeting.agent_node)];
-    for (int at = meeting.goal_node; at >= 0; at = goal.nodes()[static_cast<std::size_t>(at)].parent) {
-      last = added(nodes, goal.nodes()[static_cast<std::size_t>(at)].point_in_map, last);
-    }
+    append_way(nodes, goal, meeting.goal_node, index[static_cast<std::size_t>(meeting.agent_node)]);
   }
   return nodes;
 }

@@ -14,11 +14,12 @@ struct MultiRrtOptions {
 };
 
 /// The multiple RRT* of one agent (paper 4.3): a tree from the agent, and trees from the `sources`, each joined with it
-/// where that gives the shortest way to the source, so that sequences lead to a source and on from there.
+/// where that gives the shortest way to the source, so that a sequence leads to each of them.
 ///
 /// A tree for each source is impossible where every search cell is one, so `sources` are a few of them, best first
-/// (digest E2); trees beyond `options.goal_trees` are not grown. Parents stand before their children; node 0 is the
-/// root.
+/// (digest E2); trees beyond `options.goal_trees` are not grown. Of a source's tree only the way to the source is used:
+/// on what branches off behind it sequences only get longer, which an objective without order takes for better. Parents
+/// stand before their children; node 0 is the root.
 [[nodiscard]] std::vector<TreeNode> multi_rrt(const MotionMap& motion, double radius_m,
                                               const Eigen::Vector2d& start_in_map,
                                               const std::vector<Eigen::Vector2d>& sources,

@@ -24,6 +24,7 @@ struct PaperOptions {
   PruningOptions pruning;
   SelectionUpdate update;
   PaperObjective objective = PaperObjective::DetectedMass;
+  bool replans_under_way = false;  ///< see Planner
 };
 
 /// Algorithm 1 of the paper: multiple RRT* per agent, pruned to the actions that reward it alone, joint rollouts drawn
@@ -38,6 +39,7 @@ class PaperPlanner : public Planner {
   void run(int rollouts, const std::function<bool()>& stop) override;
   [[nodiscard]] int rollouts() const override { return rollouts_; }
   [[nodiscard]] JointPlan best() override;
+  [[nodiscard]] bool replans_under_way() const override { return options_.replans_under_way; }
 
   /// g of the best plan so far; higher is better.
   [[nodiscard]] double best_reward() const { return best_reward_; }

@@ -23,6 +23,7 @@ MakePlanner paper(Reading reading, PaperObjective objective) {
     options.pruning.travel_cost_per_s = given.number("travel_cost", options.pruning.travel_cost_per_s);
     options.update.reduction = given.number("w", options.update.reduction);
     options.update.discount = given.number("gamma", options.update.discount);
+    options.replans_under_way = given.whole_number("replans_under_way", options.replans_under_way ? 1 : 0) != 0;
     return std::make_unique<PaperPlanner>(options);
   };
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "services/planner/core/planners/registry.hpp"
 
 namespace tandem::bench {
@@ -40,6 +42,28 @@ TEST(ClosedLoop, NobodyWalksFasterThanTheyCan) {
       EXPECT_LE(walked_m, instance.searchers[m].speed_mps * (points[i].time_s - points[i - 1].time_s) + 1e-6);
     }
   }
+}
+
+TEST(ClosedLoop, APersonOfTheirOwnWillIsSearchedAround) {
+  const PlanningInstance instance = instance_of("S5own", 2);
+  LoopOptions options{.budget = {.rollouts = 5}};
+  const LoopResult usual = played(instance, planner("tandem"), options);
+  EXPECT_TRUE(usual.finished);
+  options.person = PersonIs::Known;
+  options.person_path = usual.walked[person_of(instance)].path;
+  const LoopResult clairvoyant = played(instance, planner("tandem"), options);
+  const auto& walked = clairvoyant.walked[person_of(instance)].path;
+  // The person walks as it did, whatever the robot does.
+  for (double time_s = 0.0; time_s < std::min(walked.duration_s(), options.person_path.duration_s()); time_s += 5.0) {
+    EXPECT_NEAR((pose_at(walked, time_s).position() - pose_at(options.person_path, time_s).position()).norm(), 0.0,
+                1e-6);
+  }
+}
+
+TEST(ClosedLoop, AChangingWorldIsSearchedToItsEnd) {
+  const LoopResult result = played(instance_of("S6", 3), planner("tandem"), {.budget = {.rollouts = 5}});
+  EXPECT_TRUE(result.finished);
+  EXPECT_EQ(result.repeated, 0);
 }
 
 }  // namespace

@@ -14,6 +14,10 @@ TEST(LawnmowerPlanner, EveryOtherLaneIsMownBackwards) {
   EXPECT_TRUE(mowing_order({}, 1.0).empty());
 }
 
+TEST(LawnmowerPlanner, LanesAreNotCutAnewUnderWay) {
+  EXPECT_FALSE(LawnmowerPlanner().replans_under_way());
+}
+
 TEST(LawnmowerPlanner, EachMowsItsOwnPiece) {
   SearchCase search = corridor(2);
   LawnmowerPlanner planner;

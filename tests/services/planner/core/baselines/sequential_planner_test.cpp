@@ -9,7 +9,7 @@ namespace {
 
 TEST(SequentialPlanner, TheFirstTakesTheBestForItselfAndTheSecondWhatIsLeft) {
   SearchCase search = corridor(2);
-  place_mass(search, 2.75, 0.2, 10.25, 0.8);
+  place_mass(search, 2.75, 0.1, 10.25, 0.9);
   SequentialPlanner planner({});
   const JointPlan plan = plan_with(planner, search.problem, 200, 1);
   EXPECT_GT(pose_at(plan.paths[0], 3.0).x, 7.0);

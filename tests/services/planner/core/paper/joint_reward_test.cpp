@@ -28,6 +28,14 @@ TEST(JointReward, ASourceHalfDrawnByOnePaysTheOtherAQuarter) {
   EXPECT_DOUBLE_EQ(mass.of({1, 1}), 0.75);
 }
 
+TEST(JointReward, T20TheOrderOfAgentsDoesNotMatter) {
+  ActionTree a = hand_tree({{0, 1.0, 0, 0.5}, {1, 1.0, 1}});
+  ActionTree b = hand_tree({{0, 1.0, 0, 0.25}, {0, 1.0, 2}});
+  DetectedMass mass({0.5, 0.3, 0.2}, {&a, &b}, 0.01);
+  DetectedMass swapped({0.5, 0.3, 0.2}, {&b, &a}, 0.01);
+  EXPECT_DOUBLE_EQ(mass.of({2, 1}), swapped.of({1, 2}));
+}
+
 TEST(JointReward, WhatIsDetectedIsCountedInPartsOfWhatIsLeft) {
   ActionTree a = hand_tree({{0, 1.0, 0}});
   DetectedMass mass({0.1, 0.3}, {&a}, 0.0);

@@ -24,7 +24,7 @@ bool is_in_order(const std::vector<TreeNode>& nodes) {
   return true;
 }
 
-TEST(MultiRrt, AGoalsTreeIsJoinedSoThatSequencesLeadThroughTheGoal) {
+TEST(MultiRrt, AGoalsTreeIsJoinedSoThatASequenceLeadsToTheGoal) {
   const MotionMap motion = two_rooms();
   const Vector2d goal{9.5, 3.5};
   MultiRrtOptions options;
@@ -37,8 +37,7 @@ TEST(MultiRrt, AGoalsTreeIsJoinedSoThatSequencesLeadThroughTheGoal) {
   EXPECT_GT(nodes.size(), 150U);
   const auto at_goal = std::ranges::find_if(nodes, [&](const TreeNode& node) { return node.point_in_map == goal; });
   ASSERT_NE(at_goal, nodes.end());
-  const auto index = static_cast<int>(at_goal - nodes.begin());
-  EXPECT_TRUE(std::ranges::any_of(nodes, [&](const TreeNode& node) { return node.parent == index; }));
+  EXPECT_LT(at_goal->cost_m, 10.0);  // 8.2 m past the end of the wall
 }
 
 TEST(MultiRrt, WithoutGoalTreesThereIsOneTree) {

@@ -140,6 +140,10 @@ TEST(PaperPlanner, WhereItsTreesSeeNothingNewItGoesToTheNearestUnseen) {
   EXPECT_NEAR(plan_with(planner, search.problem, 10, 1).forecast.probability_found, 1.0, 1e-9);
 }
 
+TEST(PaperPlanner, ItsPlansAreWalkedUntilABranchEnds) {
+  EXPECT_FALSE(PaperPlanner(small()).replans_under_way());
+}
+
 TEST(PaperPlanner, T18AMemberThatCanGoNowhereWaitsAndTheOtherGoesOn) {
   Searcher stuck = walker(0.5);
   stuck.radius_m = 1.9;  // fits hardly anywhere
