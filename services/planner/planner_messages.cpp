@@ -216,15 +216,15 @@ msg::RewardSource to_message(const RewardSource& source) {
   message.id(source.id);
   message.kind(to_message(source.kind));
   message.meaning(source.meaning);
-  if (const auto* disc = std::get_if<Disc>(&source.boundary)) {
-    message.boundary_in_map().push_back(to_message(disc->centre_in_map));
+  // The contract knows discs and polygons that lie still; of anything else it carries everything but the place.
+  const auto shape = shape_in_map(source.boundary);
+  if (const auto* disc = shape ? std::get_if<Disc>(&*shape) : nullptr) {
+    message.boundary_in_map().push_back(to_message(disc->centre));
     message.radius_m(disc->radius_m);
-  } else {
-    for (const auto& corner : std::get<Polygon>(source.boundary).corners_in_map) {
-      message.boundary_in_map().push_back(to_message(corner));
-    }
+  } else if (const auto* polygon = shape ? std::get_if<Polygon>(&*shape) : nullptr) {
+    for (const auto& corner : polygon->corners) message.boundary_in_map().push_back(to_message(corner));
   }
-  message.rate_per_s(source.rate_per_s);
+  message.rate_per_s(peak_of(source.inside));
   message.pool(std::isfinite(source.pool) ? source.pool : -1.0);
   message.targets(source.targets);
   return message;

@@ -103,7 +103,7 @@ std::optional<int> MotionMap::nearest_node(const Vector2d& point_in_map, double 
   return nearest;
 }
 
-ShortestPaths MotionMap::shortest_paths(int from) const {
+ShortestPaths MotionMap::shortest_paths(int from, std::span<const float> surcharge) const {
   ShortestPaths paths;
   paths.from = from;
   paths.cost_m.assign(points_.size(), std::numeric_limits<float>::infinity());
@@ -117,7 +117,11 @@ ShortestPaths MotionMap::shortest_paths(int from) const {
     open.pop();
     if (cost_m > paths.cost_m[static_cast<std::size_t>(node)]) continue;
     for (const Edge& edge : edges_[static_cast<std::size_t>(node)]) {
-      const float next_m = cost_m + edge.cost_m;
+      float next_m = cost_m + edge.cost_m;
+      if (!surcharge.empty()) {
+        const float more = surcharge[static_cast<std::size_t>(node)] + surcharge[static_cast<std::size_t>(edge.to)];
+        next_m += 0.5F * more * static_cast<float>((point(node) - point(edge.to)).norm());
+      }
       if (next_m >= paths.cost_m[static_cast<std::size_t>(edge.to)]) continue;
       paths.cost_m[static_cast<std::size_t>(edge.to)] = next_m;
       paths.previous[static_cast<std::size_t>(edge.to)] = node;

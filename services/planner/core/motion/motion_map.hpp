@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "services/mapping/core/distance_field.hpp"
@@ -41,7 +42,9 @@ class MotionMap {
   [[nodiscard]] const Eigen::Vector2d& point(int node) const { return points_[static_cast<std::size_t>(node)]; }
   /// The nearest node within `reach_m` of the point.
   [[nodiscard]] std::optional<int> nearest_node(const Eigen::Vector2d& point_in_map, double reach_m) const;
-  [[nodiscard]] ShortestPaths shortest_paths(int from) const;
+  [[nodiscard]] ShortestPaths shortest_paths(int from) const { return shortest_paths(from, {}); }
+  /// As above, where a metre near a node costs `surcharge` of that node more (>= 0); empty: nothing anywhere.
+  [[nodiscard]] ShortestPaths shortest_paths(int from, std::span<const float> surcharge) const;
   /// The way of `paths` to `node` as few straight pieces; empty where no way leads. Corners are cut only where that
   /// brings it no nearer to walls than it was or than preferred. It begins at `start_in_map` and ends at `end_in_map`,
   /// points near the first and the last node; of two that are one, only one is left.

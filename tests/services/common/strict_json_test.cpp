@@ -1,11 +1,11 @@
-#include "services/simulator/core/strict_json.hpp"
+#include "services/common/strict_json.hpp"
 
 #include <gtest/gtest.h>
 
 #include <functional>
 #include <nlohmann/json.hpp>
 
-namespace tandem::simulator {
+namespace tandem {
 namespace {
 
 std::string complaint_of(const std::function<void()>& act) {
@@ -61,5 +61,14 @@ TEST(StrictJson, WrongTypesAndValuesOutsideTheirRangeAreRefused) {
   EXPECT_NE(complaint_about("[]", [](StrictObject&) {}), "");
 }
 
+TEST(StrictJson, AnObjectWhoseKeysAreNamesGivesThemAll) {
+  EXPECT_EQ(complaint_about(R"({"kitchen": 1, "hall": 2, "comment": "rooms"})",
+                            [](StrictObject& object) {
+                              EXPECT_EQ(object.names(), (std::vector<std::string>{"hall", "kitchen"}));
+                            }),
+            "");
+  EXPECT_NE(complaint_about(R"({"who": ["a", 1]})", [](StrictObject& object) { (void)object.texts("who"); }), "");
+}
+
 }  // namespace
-}  // namespace tandem::simulator
+}  // namespace tandem

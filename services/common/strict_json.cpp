@@ -1,10 +1,10 @@
-#include "services/simulator/core/strict_json.hpp"
+#include "services/common/strict_json.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-namespace tandem::simulator {
+namespace tandem {
 namespace {
 
 std::string short_number(double value) {
@@ -51,6 +51,28 @@ std::string StrictObject::text(std::string_view key) {
   const auto& value = at(key);
   if (!value.is_string()) fail(key, "must be a text");
   return value.get<std::string>();
+}
+
+std::vector<std::string> StrictObject::texts(std::string_view key) {
+  if (!has(key)) return {};
+  const auto& value = at(key);
+  if (!value.is_array()) fail(key, "must be a list of texts");
+  std::vector<std::string> all;
+  for (const auto& one : value) {
+    if (!one.is_string()) fail(key, "must be a list of texts");
+    all.push_back(one.get<std::string>());
+  }
+  return all;
+}
+
+std::vector<std::string> StrictObject::names() {
+  std::vector<std::string> all;
+  for (const auto& [key, value] : value_.items()) {
+    if (key == "$schema" || key == "comment") continue;
+    known_.insert(key);
+    all.push_back(key);
+  }
+  return all;
 }
 
 std::string StrictObject::text_or(std::string_view key, std::string fallback, const std::set<std::string>& allowed) {
@@ -126,4 +148,4 @@ std::vector<double> StrictObject::checked_row(std::string_view key, const nlohma
   return row;
 }
 
-}  // namespace tandem::simulator
+}  // namespace tandem
