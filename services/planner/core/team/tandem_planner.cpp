@@ -1,12 +1,17 @@
 #include "services/planner/core/team/tandem_planner.hpp"
 
 #include <cassert>
+#include <cmath>
 #include <map>
+
+#include "services/planner/core/baselines/lawnmower_planner.hpp"
+#include "services/planner/core/team/lower_bound.hpp"
 
 namespace tandem {
 namespace {
 
 constexpr int kSeedChoices = 1;
+constexpr std::size_t kMowable = 5000;  ///< search cells; mowing a larger area takes longer than a first plan may
 constexpr double kSamePlace_m = 1e-3;
 
 using PlaceKey = std::pair<long, long>;
@@ -35,6 +40,7 @@ void TandemPlanner::begin(const SearchProblem& problem, Rng rng) {
   if (options_.seeds) {
     take_seed(greedy(1.0, false));
     if (problem.members.size() > 1) take_seed(greedy(options_.walk.exponent, true));
+    if (ground_.mass.size() <= kMowable) take_seed(lawnmower_routes(*problem_));
   }
   if (options_.warm_start && problem.current.size() == problem.members.size()) take_seed(running_plan());
   refinement_->restart(best_, best_s_);
@@ -103,7 +109,9 @@ void TandemPlanner::run(int rollouts, const std::function<bool()>& stop) {
 }
 
 JointPlan TandemPlanner::best() {
-  return problem_->plan(best_);
+  JointPlan plan = problem_->plan(best_);
+  plan.lower_bound_s = lower_bound_s(*problem_);
+  return plan;
 }
 
 }  // namespace tandem

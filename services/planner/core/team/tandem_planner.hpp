@@ -24,7 +24,7 @@ struct TandemOptions {
 /// other what they find.
 ///
 /// The first plan is the best of its seeds, so no plan is worse than any of them: coordinated greedy by gain / time and
-/// gain / time^1.5, sequential allocation, what is left of the plan in execution.
+/// gain / time^1.5, sequential allocation, mowing (areas of up to 5000 cells), what is left of the plan in execution.
 class TandemPlanner final : public Planner {
  public:
   explicit TandemPlanner(const TandemOptions& options) : options_(options) {}

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <functional>
 
+#include "services/planner/core/planners/registry.hpp"
 #include "tests/services/planner/support/search_case.hpp"
 
 namespace tandem {
 namespace {
 
 using Eigen::Vector2d;
+
+/// What plans are compared with; and two looking at one cell at once are compared as if one after the other.
+constexpr double kSinglePrecision = 1e-3;
 
 /// A hall of 16 m x 10 m with a wall that juts in.
 SearchCase hall(std::vector<Searcher> searchers) {
@@ -132,6 +136,28 @@ TEST(TandemPlanner, T20TheOrderOfMembersDoesNotMatterToTheValueOfAPlan) {
   std::swap(swapped.members[0], swapped.members[1]);
 
   EXPECT_NEAR(evaluated(swapped, {plan.paths[1], plan.paths[0]}).value_s, plan.value_s, 1e-9);
+}
+
+TEST(TandemPlanner, TheFirstPlanIsNeverWorseThanAnyOfItsSeedsOn200Worlds) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    Rng rng{seed};
+    std::vector<std::string> drawing(14, "#" + std::string(18, '.') + "#");
+    drawing.front() = drawing.back() = std::string(20, '#');
+    for (int column = 0; column < 8; ++column) drawing[1 + rng.index(12)][5 + rng.index(14)] = '#';
+    SearchCase search(room(drawing), {1.5, 1.5}, {test_robot(), test_person()}, 2.0);
+    for (double& mass : search.problem.masses.front()) mass *= rng.uniform();
+    search.problem.horizon_s = 60.0;
+    TandemPlanner tandem({});
+    search.problem.current = plan_with(tandem, search.problem, 2, seed).paths;
+    const double running_s = evaluated(search.problem, search.problem.current).value_s;
+    const double first_s = plan_with(tandem, search.problem, 0, seed).value_s;
+    for (const char* name : {"greedy", "greedy15", "lawnmower"}) {
+      const auto peer = make_planner(name);
+      const double peer_s = plan_with(*peer, search.problem, 0, seed).value_s;
+      EXPECT_LE(first_s, peer_s * (1.0 + kSinglePrecision)) << name << " on world " << seed;
+    }
+    EXPECT_LE(first_s, running_s * (1.0 + kSinglePrecision)) << "world " << seed;
+  }
 }
 
 TEST(TandemPlanner, SplitsTheHallBetweenTheTwo) {
