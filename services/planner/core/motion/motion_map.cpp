@@ -120,10 +120,11 @@ bool MotionMap::has_clearance(const Vector2d& from, const Vector2d& to, double r
 
 std::optional<int> MotionMap::nearest_node(const Vector2d& point_in_map, double reach_m) const {
   const Vector2d in_lattice = (inverse(map_from_lattice_) * point_in_map) / spacing_m_;
-  const Vector2d block = in_lattice.array().floor().max(-1e6).min(1e6);
-  const auto column = static_cast<int>(block.x());
-  const auto row = static_cast<int>(block.y());
-  const int last_ring = static_cast<int>(std::ceil(reach_m / spacing_m_)) + 1;
+  // Around the block of the lattice that is nearest: from there, nothing in it is farther than from the point itself.
+  const auto column = static_cast<int>(std::clamp(std::floor(in_lattice.x()), 0.0, std::max(0.0, columns_ - 1.0)));
+  const auto row = static_cast<int>(std::clamp(std::floor(in_lattice.y()), 0.0, std::max(0.0, rows_ - 1.0)));
+  const double rings = std::min(std::ceil(reach_m / spacing_m_) + 1.0, static_cast<double>(std::max(columns_, rows_)));
+  const auto last_ring = static_cast<int>(rings);
   std::optional<int> nearest;
   double nearest_m = reach_m;
   const auto consider = [&](int x, int y) {
