@@ -9,11 +9,27 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kFinest_m = 0.25;           ///< radius of covering discs
-constexpr double kLargestShapeInDiscs = 10;  ///< its radius, in sides of squares that discs cover
+constexpr double kFinest_m = 0.25;         ///< radius of the smallest covering discs ...
+constexpr double kFinestPerRadius = 60.0;  ///< ... or that of the shape divided by this
 
 double strength_of(const SourceEdit& edit) {
   return strength_per_s(edit.strength.empty() ? "quite" : edit.strength).value_or(0.0);
+}
+
+/// Covers the part of the shape in a square by the disc around it, or by those of its quarters if that one reaches out
+/// of the shape and is larger than need be.
+void cover(const PlanarShape& shape, const Vector2d& centre, double side_m, double finest_m,
+           std::vector<BlockedDisc>& discs) {
+  const double radius_m = side_m / std::numbers::sqrt2;
+  const double distance_m = signed_distance(shape, centre);
+  if (distance_m > radius_m) return;
+  if (distance_m <= -radius_m || radius_m <= finest_m) {
+    discs.push_back({centre, radius_m});
+    return;
+  }
+  for (const Vector2d& quarter : {Vector2d{-1, -1}, Vector2d{1, -1}, Vector2d{-1, 1}, Vector2d{1, 1}}) {
+    cover(shape, centre + 0.25 * side_m * quarter, 0.5 * side_m, finest_m, discs);
+  }
 }
 
 }  // namespace
@@ -46,17 +62,10 @@ RewardSource drawn_source(const SourceEdit& edit) {
 }
 
 std::vector<BlockedDisc> covering_discs(const PlanarShape& shape) {
-  const auto around = enclosing_disc(shape);
-  if (!around) return {};
-  const double side_m = std::max(kFinest_m * std::numbers::sqrt2, around->radius_m / kLargestShapeInDiscs);
-  const double radius_m = side_m / std::numbers::sqrt2;
-  const int reach = static_cast<int>(std::ceil(around->radius_m / side_m));
   std::vector<BlockedDisc> discs;
-  for (int row = -reach; row <= reach; ++row) {
-    for (int column = -reach; column <= reach; ++column) {
-      const Vector2d centre = around->centre + side_m * Vector2d(column, row);
-      if (signed_distance(shape, centre) <= radius_m) discs.push_back({centre, radius_m});
-    }
+  if (const auto around = enclosing_disc(shape)) {
+    const double finest_m = std::max(kFinest_m, around->radius_m / kFinestPerRadius);
+    cover(shape, around->centre, 2.0 * around->radius_m, finest_m, discs);
   }
   return discs;
 }

@@ -29,8 +29,8 @@ struct SourceEdit {
 /// The edit as a reward source: a place to go to pays once, one to avoid costs for as long as one is in it.
 [[nodiscard]] RewardSource drawn_source(const SourceEdit& edit);
 
-/// Discs that cover a shape of finite size, none of them reaching further out of it than its diameter. They are so many
-/// (at most some 400) that this is half a metre, or a tenth of a large shape's size.
+/// Discs that cover a shape of finite size and reach no further out of it than half a metre, or a thirtieth of a large
+/// shape's radius.
 [[nodiscard]] std::vector<BlockedDisc> covering_discs(const PlanarShape& shape);
 
 }  // namespace tandem

@@ -40,6 +40,10 @@ inline constexpr double kLargestHintFactor = hint_factor(kStrengthWords.back().p
 inline constexpr double kSearchedRoughly = 0.7;
 inline constexpr double kSearchedWell = 2.0;
 
+/// What "look again" restores is a share rho of the probability that is left then. If it was wrong, the best plan for
+/// the edited belief takes in expectation at most rho / (1 - rho) times as much longer as the best plan without it
+/// takes to look there: q = (1 - rho) p + rho r, so (1 - rho) E_p of the one is at most E_q of the other.
+
 /// Changes the belief as `agent` says, or says why not. Whatever the edit, the posterior adds up to 1. Saying the same
 /// again changes nothing.
 [[nodiscard]] std::optional<std::string> edit_belief(SearchBelief& belief, const SearchArea& area,

@@ -101,8 +101,19 @@ TEST_F(MissionEdits, NobodyIsKeptOutOfWhereTheyStandOrShutIn) {
   run();
   EXPECT_EQ(mission.edit_source(drawn(SourceEdit::Kind::Avoid, Disc{{3, 3}, 0.5}), now), "robot stands there");
   EXPECT_FALSE(mission.edit_source(drawn(SourceEdit::Kind::Avoid, Disc{{12, 5}, 0.5}), now));
-  SourceEdit shut_in =
-      drawn(SourceEdit::Kind::Avoid, Polygon{{{0, 3.6}, {3.6, 3.6}, {3.6, 0}, {17, 0}, {17, 11}, {0, 11}}});
+  const PlanarShape all_but_here = Polygon{{{0, 0},
+                                            {17, 0},
+                                            {17, 11},
+                                            {0, 11},
+                                            {0, 3.1},
+                                            {2.7, 3.1},
+                                            {2.7, 3.3},
+                                            {3.3, 3.3},
+                                            {3.3, 2.7},
+                                            {2.7, 2.7},
+                                            {2.7, 2.9},
+                                            {0, 2.9}}};
+  SourceEdit shut_in = drawn(SourceEdit::Kind::Avoid, all_but_here, {"robot"});
   shut_in.source_id = "s2";
   const auto refusal = mission.edit_source(shut_in, now);
   EXPECT_EQ(refusal, "robot would not get anywhere any more");

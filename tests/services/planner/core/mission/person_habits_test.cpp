@@ -50,7 +50,7 @@ TEST(PersonHabits, StraightOnEndsBeforeTheWall) {
   const TimedPath path = straight_on(motion, {2.0, 2.5}, Vector2d{1, 0}, 0.5, 0.3, 60.0);
   ASSERT_EQ(path.points.size(), 2U);
   EXPECT_GT(path.points[1].point_in_map.x(), 7.5);  // the wall is at 8.5
-  EXPECT_LE(path.points[1].point_in_map.x(), 8.2);
+  EXPECT_LE(path.points[1].point_in_map.x(), 8.3);
   EXPECT_DOUBLE_EQ(path.duration_s(), (path.points[1].point_in_map.x() - 2.0) / 0.5);
 }
 

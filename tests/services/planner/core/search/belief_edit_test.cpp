@@ -152,5 +152,24 @@ TEST(BeliefEdit, AWrongHintCostsNoMoreThanItsFactor) {
   EXPECT_DOUBLE_EQ(kLargestHintFactor, 10.0);
 }
 
+TEST(BeliefEdit, LookingAgainInVainCostsNoMoreThanTheShareThatIsRestored) {
+  Rng rng{11};
+  for (int trial = 0; trial < 300; ++trial) {
+    Hall hall;
+    for (int cell = 0; cell < 32; ++cell) hall.belief.look(0, {cell}, 1.0, rng.uniform(0.0, 4.0));
+    const auto before = hall.belief.posterior();
+    const double left = hall.belief.probability_left();
+    const auto mass = hall.belief.mass();
+    ASSERT_FALSE(
+        hall.edit(Kind::LookAgain, Disc{{rng.uniform(0.5, 4.5), rng.uniform(0.5, 2.5)}, rng.uniform(0.1, 2.0)}));
+    auto restored = hall.belief.mass();
+    for (std::size_t i = 0; i < 32; ++i) restored[i] -= mass[i];
+    // rho / (1 - rho) of the time at which the restored is looked at: rho is restored / (restored + left).
+    const double allowance_s = expected_time_s(before, restored) / left;
+    EXPECT_LE(expected_time_s(hall.belief.posterior(), before), expected_time_s(before, before) + allowance_s + 1e-9)
+        << trial;
+  }
+}
+
 }  // namespace
 }  // namespace tandem
