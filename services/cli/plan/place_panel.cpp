@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "services/cli/plan/labels.hpp"
 #include "services/planner/core/srs/resolved_boundary.hpp"
 
 namespace tandem::cli {
@@ -123,18 +124,24 @@ void draw_walls(Svg& svg, const View& view, const std::vector<OccupancyGrid>& la
   svg.end_group();
 }
 
-/// Draws the shape; gives where its name is to stand.
-Vector2d draw_shape(Svg& svg, const View& view, const PlanarShape& shape, const std::string& fill,
-                    const std::string& line) {
+/// Where the name of a shape stands: around this point [px].
+struct NamePlace {
+  Vector2d at = Vector2d::Zero();
+  double off = 0.0;
+};
+
+/// Draws the shape.
+NamePlace draw_shape(Svg& svg, const View& view, const PlanarShape& shape, const std::string& fill,
+                     const std::string& line) {
   if (const auto* disc = std::get_if<Disc>(&shape)) {
     const Vector2d centre = view(disc->centre);
     const double radius = std::max(kLeastRadius, view.scale() * disc->radius_m);
     svg.circle(centre, radius, fill + line);
-    return {centre.x(), centre.y() - radius - 5.0};
+    return {centre, radius + 3.0};
   }
   if (const auto* polygon = std::get_if<Polygon>(&shape)) {
     svg.polygon(view(polygon->corners), fill + line);
-    return view(inner_point(shape));
+    return {view(inner_point(shape)), 2.0};
   }
   if (const auto* corridor = std::get_if<Corridor>(&shape)) {
     const double width = std::max(2.0, 2.0 * view.scale() * corridor->half_width_m);
@@ -142,7 +149,7 @@ Vector2d draw_shape(Svg& svg, const View& view, const PlanarShape& shape, const 
     for (std::size_t at = 0; (at = stroke.find("fill", at)) != std::string::npos;) stroke.replace(at, 4, "stroke");
     svg.polyline(view(corridor->points), "fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\" " + stroke +
                                              " stroke-width=\"" + svg_number(width) + "\"");
-    return view(inner_point(shape));
+    return {view(inner_point(shape)), 2.0};
   }
   const auto& plane = std::get<HalfPlane>(shape);
   const Vector2d out = plane.outward.normalized();
@@ -150,7 +157,7 @@ Vector2d draw_shape(Svg& svg, const View& view, const PlanarShape& shape, const 
   svg.polygon(view({plane.point + kFar_m * along, plane.point - kFar_m * along, plane.point - kFar_m * (along + out),
                     plane.point + kFar_m * (along - out)}),
               fill + line);
-  return view(inner_point(shape));
+  return {view(inner_point(shape)), 2.0};
 }
 
 /// The shape of a boundary on the map when the agents are where they are at `time_s`.
@@ -172,8 +179,8 @@ std::optional<PlanarShape> shape_when(const Boundary& boundary, const PlanPictur
   return shape_at(resolved(boundary, picture.world.agents), {moves, 1.0}, 0.0);
 }
 
-void draw_sources(Svg& svg, const View& view, const PlanPicture& picture) {
-  std::vector<std::pair<Vector2d, const RewardSource*>> names;
+void draw_sources(Svg& svg, const View& view, const PlanPicture& picture, Labels& labels) {
+  std::vector<std::pair<NamePlace, const RewardSource*>> names;
   for (const RewardSource& source : picture.world.sources) {
     const std::string line = " stroke=\"" + colour_of(source.kind) + "\"";
     const bool moves = !owners_of(source.boundary).empty();
@@ -183,37 +190,42 @@ void draw_sources(Svg& svg, const View& view, const PlanPicture& picture) {
       }
     }
     if (const auto shape = shape_when(source.boundary, picture, 0.0)) {
-      const Vector2d at =
-          draw_shape(svg, view, *shape, fill_of(source), line + (moves ? " stroke-dasharray=\"6 3\"" : ""));
-      names.emplace_back(at, &source);
+      names.emplace_back(
+          draw_shape(svg, view, *shape, fill_of(source), line + (moves ? " stroke-dasharray=\"6 3\"" : "")), &source);
     }
   }
-  for (const auto& [at, source] : names) {
-    svg.text(at, source->id,
-             "text-anchor=\"middle\" font-size=\"12\" fill=\"" + colour_of(source->kind) + "\" " + kHalo);
+  for (const auto& [place, source] : names) {
+    labels.add(svg, place.at, place.off, source->id, 12.0, "fill=\"" + colour_of(source->kind) + "\"");
   }
 }
 
-void draw_agent(Svg& svg, const View& view, const PicturedAgent& agent, std::size_t index, double step_s) {
-  const std::string colour = colour_of_agent(index);
+void draw_path(Svg& svg, const View& view, const PicturedAgent& agent, std::size_t index) {
   std::vector<Vector2d> points{agent.start.position()};
   for (const TimedPoint& point : agent.path.points) points.push_back(point.point_in_map);
-  svg.polyline(view(points), "fill=\"none\" stroke=\"" + colour + "\" stroke-width=\"2.2\" stroke-linejoin=\"round\"" +
-                                 dashes_of_agent(index));
+  svg.polyline(view(points), "fill=\"none\" stroke=\"" + colour_of_agent(index) +
+                                 "\" stroke-width=\"2.2\" stroke-linejoin=\"round\"" + dashes_of_agent(index));
+}
+
+void draw_start(Svg& svg, const View& view, const PicturedAgent& agent, std::size_t index, Labels& labels) {
+  const std::string colour = colour_of_agent(index);
+  const Vector2d start = view(agent.start.position());
+  const Vector2d ahead{std::cos(agent.start.heading), -std::sin(agent.start.heading)};
+  svg.line(start, start + 13.0 * ahead, "stroke=\"" + colour + "\" stroke-width=\"2.5\"");
+  draw_agent_sign(svg, start, agent.kind, index);
+  labels.add(svg, start, 9.0, agent.id, 12.0, "font-weight=\"bold\" fill=\"" + colour + "\"");
+}
+
+void draw_dots(Svg& svg, const View& view, const PicturedAgent& agent, std::size_t index, double step_s,
+               Labels& labels) {
+  const std::string colour = colour_of_agent(index);
   Vector2d before = Vector2d::Constant(std::numeric_limits<double>::infinity());
   for (double time_s = step_s; time_s <= agent.path.duration_s() + 1e-9; time_s += step_s) {
     const Vector2d at = view(pose_at(agent.path, time_s).position());
     if ((at - before).norm() < 2.0) continue;  // it waits
     before = at;
     svg.circle(at, 2.8, "fill=\"#fff\" stroke=\"" + colour + "\" stroke-width=\"1.5\"");
-    svg.text({at.x() + 5.0, at.y() + 11.0}, svg_number(time_s), "font-size=\"9\" fill=\"" + colour + "\" " + kHalo);
+    labels.add_if_free(svg, at, svg_number(time_s), 9.0, "fill=\"" + colour + "\"");
   }
-  const Vector2d start = view(agent.start.position());
-  const Vector2d ahead{std::cos(agent.start.heading), -std::sin(agent.start.heading)};
-  svg.line(start, start + 13.0 * ahead, "stroke=\"" + colour + "\" stroke-width=\"2.5\"");
-  draw_agent_sign(svg, start, agent.kind, index);
-  svg.text({start.x(), start.y() + 20.0}, agent.id,
-           "text-anchor=\"middle\" font-weight=\"bold\" fill=\"" + colour + "\" " + kHalo);
 }
 
 }  // namespace
@@ -232,11 +244,14 @@ void draw_place(Svg& svg, const PanelBox& box, const PlanPicture& picture) {
   svg.rectangle(box.x, box.y, box.width, box.height, "fill=\"#fff\"");
   draw_belief(svg, view, picture.belief);
   draw_walls(svg, view, picture.layers);
-  draw_sources(svg, view, picture);
+  Labels labels;
+  for (std::size_t i = 0; i < picture.agents.size(); ++i) draw_path(svg, view, picture.agents[i], i);
+  draw_sources(svg, view, picture, labels);
   double longest_s = 0.0;
   for (const PicturedAgent& agent : picture.agents) longest_s = std::max(longest_s, agent.path.duration_s());
   const double step_s = round_step(longest_s, kMostDots);
-  for (std::size_t i = 0; i < picture.agents.size(); ++i) draw_agent(svg, view, picture.agents[i], i, step_s);
+  for (std::size_t i = 0; i < picture.agents.size(); ++i) draw_start(svg, view, picture.agents[i], i, labels);
+  for (std::size_t i = 0; i < picture.agents.size(); ++i) draw_dots(svg, view, picture.agents[i], i, step_s, labels);
   svg.end_group();
   // A scale: one metre, or five, or ten.
   const double bar_m = view.scale() > 25.0 ? 1.0 : view.scale() > 6.0 ? 5.0 : 10.0;

@@ -123,7 +123,8 @@ void plan_search(const PlanningScenario& scenario, const PlanRequest& request, c
   search.found = survival_of(problem, search.plan.paths, kFoundStep_s);
   for (double& probability : search.found) probability = 1.0 - probability;
   for (std::size_t m = 0; m < search.plan.paths.size(); ++m) {
-    search.plan.paths[m] = path_until(search.plan.paths[m], search.plan.goal_reached_s[m]);
+    search.plan.paths[m] =
+        path_until(search.plan.paths[m], std::min(search.plan.goal_reached_s[m], scenario.horizon_s));
   }
   search.belief = pictured(area, prior);
   planned.result = std::move(search);

@@ -23,7 +23,7 @@ struct PlanRequest {
 
 /// A plan of a search.
 struct PlannedSearch {
-  JointPlan plan;             ///< The paths end at fixed goals.
+  JointPlan plan;             ///< The paths end at fixed goals and the horizon.
   std::vector<double> found;  ///< probability that all is found by 0, kFoundStep_s, ..., to the horizon
   PicturedBelief belief;      ///< before the search, over all objects
 };

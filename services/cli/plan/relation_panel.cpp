@@ -134,7 +134,7 @@ std::vector<std::string> lines_of(const PlanPicture& picture) {
     for (const std::string& source : unawareness.sources) {
       const bool told = std::ranges::find(picture.informs, Inform{unawareness.agent, source}) != picture.informs.end();
       lines.push_back(unawareness.agent + " does not know of " + source +
-                      (told ? ": is told first, for " + svg_number(picture.world.message_cost) : ""));
+                      (told ? ": is told first (costs " + svg_number(picture.world.message_cost) + ")" : ""));
     }
   }
   return lines;

@@ -109,7 +109,7 @@ void draw_axis(Svg& svg, const Row& row, double top, double bottom) {
     svg.text({row.x(time_s), bottom + 14.0}, svg_number(time_s), "text-anchor=\"middle\" font-size=\"10\"");
   }
   svg.line({row.left, bottom}, {row.left + row.width, bottom}, "stroke=\"#333\"");
-  svg.text({row.left + row.width + 5.0, bottom + 14.0}, "s", "font-size=\"10\"");
+  svg.text({row.left + row.width + 16.0, bottom + 14.0}, "s", "font-size=\"10\"");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct TaskPlan {
   double value_untold = 0.0;    ///< The best value found without any message; value, if there is none.
   double upper_bound = 0.0;     ///< No plan of these actions is worth more.
   double makespan_s = 0.0;      ///< When the last action of all ends.
-  std::vector<std::vector<DrainPoint>> drains;  ///< Per source, by time; only where it changes.
+  std::vector<std::vector<DrainPoint>> drains;  ///< Per source, by time; straight between two points.
   RewardRecord record;                          ///< Events and who was paid by which source.
   std::int64_t rollouts = 0;
 

@@ -6,23 +6,39 @@
 namespace tandem {
 namespace {
 
+constexpr std::int64_t kDrainStep_ms = 50;  ///< between two looks at a pool that is drawn from
+
 double in_s(std::int64_t time_ms) {
   return static_cast<double>(time_ms) * 1e-3;
+}
+
+/// What the agent does between two states that are one step apart.
+AgentMove move_between(const TaskState& from, const TaskState& to, std::size_t agent, double altitude_m) {
+  const TaskAgentState& begin = from.agents[agent];
+  const TaskAgentState& end = to.agents[agent];
+  AgentMove move = straight_move(begin.point_in_map, end.point_in_map);
+  move.from_altitude_m = move.to_altitude_m = altitude_m;
+  if (begin.point_in_map == end.point_in_map) move.from_heading_rad = begin.heading_rad;
+  move.to_heading_rad = end.heading_rad;
+  return move;
 }
 
 /// Writes down a course of events as a plan.
 class Recorder : public TaskObserver {
  public:
-  Recorder(const TaskModel& model, const TaskState& start, TaskPlan& plan) : model_(model), plan_(plan) {
+  Recorder(const TaskModel& model, const TaskState& start, TaskPlan& plan)
+      : model_(model), plan_(plan), account_(model.world()), rewards_(model.agent_count()), before_(start) {
     plan_.agents.resize(model.agent_count());
     plan_.drains.resize(model.world().sources().size());
     add_points(start);
-    add_drains(start);
+    add_drains(start.rewards, start.now_ms);
   }
 
   void on_step(const TaskState& state) override {
     add_points(state);
-    add_drains(state);
+    if (state.rewards.left != before_.rewards.left) look_between(state);
+    add_drains(state.rewards, state.now_ms);
+    before_ = state;
   }
 
   void on_end(const TaskState& state, std::size_t agent) override {
@@ -52,18 +68,39 @@ class Recorder : public TaskObserver {
     }
   }
 
-  void add_drains(const TaskState& state) {
+  /// Goes through the last step once more, slowly: a pool is drawn from only for a part of it.
+  void look_between(const TaskState& state) {
+    std::vector<AgentMove> moves;
+    for (std::size_t a = 0; a < model_.agent_count(); ++a) {
+      moves.push_back(move_between(before_, state, a, model_.problem().agents[a].altitude_m));
+    }
+    account_.restore(before_.rewards);
+    const std::int64_t whole_ms = state.now_ms - before_.now_ms;
+    std::vector<AgentMove> parts(moves.size());
+    for (std::int64_t at_ms = kDrainStep_ms; at_ms < whole_ms; at_ms += kDrainStep_ms) {
+      const double from = static_cast<double>(at_ms - kDrainStep_ms) / static_cast<double>(whole_ms);
+      const double to = static_cast<double>(at_ms) / static_cast<double>(whole_ms);
+      std::ranges::transform(moves, parts.begin(), [&](const AgentMove& move) { return part_of(move, from, to); });
+      account_.advance(parts, in_s(kDrainStep_ms), rewards_);
+      add_drains(account_.state(), before_.now_ms + at_ms);
+    }
+  }
+
+  void add_drains(const RewardState& rewards, std::int64_t now_ms) {
     for (std::size_t s = 0; s < plan_.drains.size(); ++s) {
-      const double size = model_.world().pools()[model_.world().sources()[s].pool].size;
+      const std::size_t pool = model_.world().sources()[s].pool;
+      const double size = model_.world().pools()[pool].size;
       if (!std::isfinite(size)) continue;
       auto& drain = plan_.drains[s];
-      const DrainPoint point{in_s(state.now_ms), std::copysign(model_.left(state, s), size)};
-      // Level stretches keep their two ends only.
-      if (drain.size() >= 2 && drain[drain.size() - 2].left == point.left && drain.back().left == point.left) {
-        drain.pop_back();
-      }
+      const DrainPoint point{in_s(now_ms), std::copysign(rewards.left[pool], size)};
+      if (drain.size() >= 2 && is_between(drain[drain.size() - 2], drain.back(), point)) drain.pop_back();
       if (drain.empty() || drain.back().time_s < point.time_s) drain.push_back(point);
     }
+  }
+
+  static bool is_between(const DrainPoint& a, const DrainPoint& b, const DrainPoint& c) {
+    const double share = (b.time_s - a.time_s) / (c.time_s - a.time_s);
+    return std::abs(a.left + share * (c.left - a.left) - b.left) < 1e-9;
   }
 
   static bool is_between(const TimedPoint& a, const TimedPoint& b, const TimedPoint& c) {
@@ -73,6 +110,9 @@ class Recorder : public TaskObserver {
 
   const TaskModel& model_;
   TaskPlan& plan_;
+  RewardAccount account_;
+  std::vector<double> rewards_;
+  TaskState before_;
 };
 
 }  // namespace
