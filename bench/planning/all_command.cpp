@@ -90,6 +90,11 @@ int run_all(const AllArguments& arguments) {
         first_plans.show(record.key.family + " " + record.key.planner, left);
       },
       control("first_plans.jsonl", arguments.threads));
+  PartProgress tasks("tasks");
+  results.tasks = resumed<TaskRecord>(
+      campaign.tasks, made_task_run,
+      [&](const TaskRecord& record, std::size_t left) { tasks.show("seed " + std::to_string(record.key.seed), left); },
+      control("tasks.jsonl", arguments.threads));
   PartProgress searches("searches");
   results.runs = resumed<RunRecord>(
       campaign.runs, made_run,

@@ -15,6 +15,7 @@ int main(int argc, char** argv) {
   std::function<int()> chosen;
   add_run_command(app, chosen);
   add_all_command(app, chosen);
+  add_freeze_command(app, chosen);
   app.add_subcommand("families", "Lists the families of instances")->callback([&] {
     chosen = [] {
       for (const FamilySpec& family : families()) {

@@ -1,14 +1,17 @@
 #include "bench/planning/run_command.hpp"
 
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "bench/planning/instance/scenario_file.hpp"
 #include "bench/planning/loop/run_plan.hpp"
 #include "bench/planning/records/resumable.hpp"
 #include "bench/planning/statistics/statistics.hpp"
+#include "services/common/file_io.hpp"
 #include "services/common/stop_signal.hpp"
 
 namespace tandem::bench {
@@ -95,6 +98,31 @@ void add_run_command(CLI::App& app, std::function<int()>& chosen) {
   command->add_option("--results", arguments->results, "File to append to; what it holds is not run again");
   command->add_option("--threads", arguments->threads)->check(CLI::Range(1, 64))->capture_default_str();
   command->callback([arguments, &chosen] { chosen = [arguments] { return run(*arguments); }; });
+}
+
+void add_freeze_command(CLI::App& app, std::function<int()>& chosen) {
+  struct Arguments {
+    std::vector<std::string> families{"S1u"};
+    std::string seeds = "1";
+    std::string output;
+  };
+  auto arguments = std::make_shared<Arguments>();  // shared: as above
+  auto* command = app.add_subcommand("freeze", "Writes instances as planning scenarios, FAMILY_SEED.json");
+  command->add_option("--family", arguments->families, "Families of instances")->delimiter(',')->capture_default_str();
+  command->add_option("--seeds", arguments->seeds, "Instances: 1:6 or 1,4,7:9")->capture_default_str();
+  command->add_option("--output", arguments->output, "Folder")->required();
+  command->callback([arguments, &chosen] {
+    chosen = [arguments] {
+      for (const auto& family : arguments->families) {
+        for (const std::uint64_t seed : parse_seeds(arguments->seeds)) {
+          const auto file = std::filesystem::path(arguments->output) / (family + "_" + std::to_string(seed) + ".json");
+          write_file_atomically(file, scenario_json(instance_of(family, seed)));
+          std::printf("%s\n", file.c_str());
+        }
+      }
+      return 0;
+    };
+  });
 }
 
 }  // namespace tandem::bench

@@ -9,4 +9,7 @@ namespace tandem::bench {
 /// to be done if the command is given.
 void add_run_command(CLI::App& app, std::function<int()>& chosen);
 
+/// `freeze`: writes instances as planning scenarios.
+void add_freeze_command(CLI::App& app, std::function<int()>& chosen);
+
 }  // namespace tandem::bench

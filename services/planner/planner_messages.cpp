@@ -58,6 +58,18 @@ msg::PlannerActivity to_message(MissionActivity activity) {
   return msg::PLANNER_FINISHED;
 }
 
+std::string to_message(RelationKind kind) {
+  switch (kind) {
+    case RelationKind::Strict:
+      return "strict";
+    case RelationKind::Soft:
+      return "soft";
+    case RelationKind::Codependent:
+      break;
+  }
+  return "codependent";
+}
+
 std::string to_message(SourceKind kind) {
   switch (kind) {
     case SourceKind::Environment:
@@ -147,8 +159,8 @@ msg::TeamPlan to_message(const MissionPlan& plan, PlanStanding standing, const P
   message.role(to_message(plan.role));
   message.value(plan.forecast.expected_time_s);
   message.probability_found(plan.forecast.probability_found);
-  message.lower_bound_s(0.0);
-  message.reason(plan.reason);
+  message.lower_bound_s(plan.lower_bound_s);
+  message.reason(plan.explanation);
   for (const auto& member : plan.members) {
     msg::PlannedPath path;
     path.agent(member.agent);
@@ -216,17 +228,26 @@ msg::RewardSource to_message(const RewardSource& source) {
   message.id(source.id);
   message.kind(to_message(source.kind));
   message.meaning(source.meaning);
-  if (const auto* disc = std::get_if<Disc>(&source.boundary)) {
-    message.boundary_in_map().push_back(to_message(disc->centre_in_map));
+  // The contract knows discs and polygons that lie still; of anything else it carries everything but the place.
+  const auto shape = shape_in_map(source.boundary);
+  if (const auto* disc = shape ? std::get_if<Disc>(&*shape) : nullptr) {
+    message.boundary_in_map().push_back(to_message(disc->centre));
     message.radius_m(disc->radius_m);
-  } else {
-    for (const auto& corner : std::get<Polygon>(source.boundary).corners_in_map) {
-      message.boundary_in_map().push_back(to_message(corner));
-    }
+  } else if (const auto* polygon = shape ? std::get_if<Polygon>(&*shape) : nullptr) {
+    for (const auto& corner : polygon->corners) message.boundary_in_map().push_back(to_message(corner));
   }
-  message.rate_per_s(source.rate_per_s);
+  message.rate_per_s(peak_of(source.inside));
   message.pool(std::isfinite(source.pool) ? source.pool : -1.0);
   message.targets(source.targets);
+  return message;
+}
+
+msg::SourceRelation to_message(const Relation& relation) {
+  msg::SourceRelation message;
+  message.from_id(relation.from);
+  message.to_id(relation.to);
+  message.kind(to_message(relation.kind));
+  message.coupling(relation.coupling);
   return message;
 }
 

@@ -5,7 +5,7 @@
 
 #include "idl/topics.hpp"
 #include "services/planner/core/mission/search_mission.hpp"
-#include "services/planner/core/srs/reward_source.hpp"
+#include "services/planner/core/srs/reward_world.hpp"
 
 namespace tandem {
 
@@ -32,5 +32,6 @@ struct PlanEnvelope {
 [[nodiscard]] msg::PlannerStatus status_message(const SearchMission& mission, const std::string& robot,
                                                 double computing_s, Time now);
 [[nodiscard]] msg::RewardSource to_message(const RewardSource& source);
+[[nodiscard]] msg::SourceRelation to_message(const Relation& relation);
 
 }  // namespace tandem

@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "services/planner/core/mission/planner_lease.hpp"
-#include "services/planner/core/srs/search_sources.hpp"
+#include "services/planner/edit_messages.hpp"
 #include "services/planner/planner_messages.hpp"
 
 namespace tandem {
@@ -33,6 +33,19 @@ const char* name_of(PlanStanding standing) {
   return "expired";
 }
 
+/// Writes what is new or has changed since `published`, and disposes of what is gone.
+template <typename Key, typename Value, typename Writer>
+void publish_changes(std::map<Key, Value> current, std::map<Key, Value>& published, Writer& writer) {
+  for (const auto& [key, value] : published) {
+    if (!current.contains(key)) writer.dispose(to_message(value));
+  }
+  for (const auto& [key, value] : current) {
+    const auto before = published.find(key);
+    if (before == published.end() || !(before->second == value)) writer.write(to_message(value));
+  }
+  published = std::move(current);
+}
+
 }  // namespace
 
 PlannerService::PlannerService(const PlannerConfig& config, const SiteConfig& site, bus::Bus& bus, const Clock& clock)
@@ -47,11 +60,14 @@ PlannerService::PlannerService(const PlannerConfig& config, const SiteConfig& si
       session_(bus.latest(topic::kSession)),
       execution_(bus.latest(topic::kPlanExecution)),
       human_messages_(bus, topic::kHumanMessage, "planner"),
+      belief_edits_(bus, topic::kBeliefEdit, "planner"),
+      source_edits_(bus, topic::kSourceEdit, "planner"),
       detections_(bus, topic::kDetection, "planner"),
       team_plan_(bus.writer(topic::kTeamPlan)),
       status_(bus.writer(topic::kPlannerStatus)),
       belief_(bus.writer(topic::kBelief)),
       reward_source_(bus.writer(topic::kRewardSource)),
+      source_relation_(bus.writer(topic::kSourceRelation)),
       health_(bus, site, "planner"),
       sequence_number_(static_cast<std::uint64_t>(to_stamp_ns(clock.now())) / kNsPerMs) {}
 
@@ -60,6 +76,7 @@ void PlannerService::step() {
   read_world();
   read_session(now);
   read_events(now);
+  read_edits(now);
   const bool new_plan = mission_.step(now, [&] { return to_seconds(clock_.now() - now) > config_.slice_s; });
   if (new_plan) {
     const MissionPlan& plan = *mission_.plan();
@@ -72,7 +89,7 @@ void PlannerService::step() {
   publish_plan(done);
   publish_status(done);
   publish_belief(done);
-  publish_goals();
+  publish_sources();
   const bool failed = mission_.activity() == MissionActivity::Failed;
   health_.step(failed ? msg::HEALTH_DEGRADED : msg::HEALTH_OK, mission_.failure());
 }
@@ -146,6 +163,29 @@ void PlannerService::read_events(Time now) {
   }
 }
 
+void PlannerService::read_edits(Time now) {
+  const auto answer = [&](auto& events, const auto& event, auto apply) {
+    std::optional<std::string> refusal = "of another team";
+    if (event.robot() == site_.robot) {
+      const auto edit = to_core(event);
+      refusal = edit ? apply(*edit) : std::optional<std::string>{"not understood"};
+    }
+    if (refusal) {
+      spdlog::info("edit refused: id={} who={} reason=\"{}\"", event.id(), event.who(), *refusal);
+      events.refused(event.id(), *refusal);
+    } else {
+      spdlog::info("edit applied: id={} who={}", event.id(), event.who());
+      events.applied(event.id());
+    }
+  };
+  for (const auto& event : belief_edits_.take()) {
+    answer(belief_edits_, event, [&](const BeliefEdit& edit) { return mission_.edit_belief(edit); });
+  }
+  for (const auto& event : source_edits_.take()) {
+    answer(source_edits_, event, [&](const SourceEdit& edit) { return mission_.edit_source(edit, now); });
+  }
+}
+
 void PlannerService::publish_plan(Time now) {
   if (!mission_.plan()) return;
   const PlanStanding standing = mission_.standing(now);
@@ -179,20 +219,13 @@ void PlannerService::publish_belief(Time now) {
   belief_due_ = now + kBeliefPeriod;
 }
 
-void PlannerService::publish_goals() {
-  for (const std::size_t member : {SearchMission::kRobot, SearchMission::kPerson}) {
-    const auto& goal = mission_.goal(member);
-    auto& published = published_goals_[member];
-    if (goal == published) continue;
-    const auto source =
-        to_message(goal_source(mission_.agent(member), goal.value_or(Eigen::Vector2d::Zero()), config_.goal_reach_m));
-    if (goal) {
-      reward_source_.write(source);
-    } else {
-      reward_source_.dispose(source);
-    }
-    published = goal;
-  }
+void PlannerService::publish_sources() {
+  std::map<std::string, RewardSource> sources;
+  for (RewardSource& source : mission_.sources()) sources.emplace(source.id, std::move(source));
+  publish_changes(std::move(sources), published_sources_, reward_source_);
+  std::map<std::pair<std::string, std::string>, Relation> relations;
+  for (const Relation& relation : mission_.relations()) relations[{relation.from, relation.to}] = relation;
+  publish_changes(std::move(relations), published_relations_, source_relation_);
 }
 
 std::string other_planner(const SiteConfig& site, bus::Bus& bus, Duration listen) {

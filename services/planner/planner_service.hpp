@@ -1,8 +1,9 @@
 #pragma once
 
-#include <array>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "services/bus/bus.hpp"
 #include "services/bus/events.hpp"
@@ -31,10 +32,11 @@ class PlannerService {
   void read_world();
   void read_session(Time now);
   void read_events(Time now);
+  void read_edits(Time now);
   void publish_plan(Time now);
   void publish_status(Time now);
   void publish_belief(Time now);
-  void publish_goals();
+  void publish_sources();
 
   PlannerConfig config_;
   SiteConfig site_;
@@ -49,12 +51,15 @@ class PlannerService {
   Latest<msg::SessionStatePubSubType> session_;
   Latest<msg::PlanExecutionPubSubType> execution_;
   Events<msg::HumanMessagePubSubType> human_messages_;
+  Events<msg::BeliefEditPubSubType> belief_edits_;
+  Events<msg::SourceEditPubSubType> source_edits_;
   Events<msg::ObjectDetectionPubSubType> detections_;
 
   Writer<msg::TeamPlanPubSubType> team_plan_;
   Writer<msg::PlannerStatusPubSubType> status_;
   Writer<msg::SearchBeliefPubSubType> belief_;
   Writer<msg::RewardSourcePubSubType> reward_source_;
+  Writer<msg::SourceRelationPubSubType> source_relation_;
   bus::HealthReporter health_;
 
   std::string session_code_;
@@ -66,7 +71,8 @@ class PlannerService {
   Time status_due_{};
   std::optional<MissionActivity> published_activity_;
   double computing_s_ = 0.0;
-  std::array<std::optional<Eigen::Vector2d>, 2> published_goals_;
+  std::map<std::string, RewardSource> published_sources_;                        ///< by id
+  std::map<std::pair<std::string, std::string>, Relation> published_relations_;  ///< by the ids they join
 };
 
 /// Listens for heartbeats of other planners of this robot and says why this one must not start; empty if it may.

@@ -6,9 +6,9 @@
 
 #include "bench/planning/instance/instance_world.hpp"
 #include "bench/planning/loop/cpu_clock.hpp"
-#include "bench/planning/loop/named_planner.hpp"
 #include "bench/planning/oracles/lookout_model.hpp"
 #include "bench/planning/oracles/sweep_bound.hpp"
+#include "services/planner/remote/named_planner.hpp"
 
 namespace tandem::bench {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
-#include "bench/planning/loop/named_planner.hpp"
 #include "services/common/config.hpp"
+#include "services/planner/remote/named_planner.hpp"
 
 namespace tandem::bench {
 namespace {

@@ -123,6 +123,11 @@ Campaign campaign_of(const CampaignOptions& options) {
       }
     }
   }
+  if (wanted(options, {12})) {
+    for (const std::uint64_t seed : seeds(options.first_seed, options.quick ? 20 : 50)) {
+      campaign.tasks.push_back({{seed, 8, 200.0}});
+    }
+  }
   return campaign;
 }
 

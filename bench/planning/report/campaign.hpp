@@ -7,6 +7,7 @@
 #include "bench/planning/loop/first_plan.hpp"
 #include "bench/planning/loop/run_plan.hpp"
 #include "bench/planning/micro/micro.hpp"
+#include "bench/planning/srs_worlds/task_run.hpp"
 
 namespace tandem::bench {
 
@@ -28,6 +29,7 @@ struct Campaign {
   std::vector<RunRequest> runs;
   std::vector<FirstPlanRequest> first_plans;
   std::vector<MicroRequest> micro;
+  std::vector<TaskRequest> tasks;
 };
 
 [[nodiscard]] Campaign campaign_of(const CampaignOptions& options);

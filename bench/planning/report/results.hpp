@@ -8,6 +8,7 @@
 #include "bench/planning/loop/first_plan.hpp"
 #include "bench/planning/micro/micro.hpp"
 #include "bench/planning/records/run_record.hpp"
+#include "bench/planning/srs_worlds/task_run.hpp"
 #include "bench/planning/statistics/statistics.hpp"
 
 namespace tandem::bench {
@@ -17,6 +18,7 @@ struct Results {
   std::vector<RunRecord> runs;
   std::vector<FirstPlanRecord> first_plans;
   std::vector<MicroRecord> micro;
+  std::vector<TaskRecord> tasks;
 
   /// E[T] of our planner against another's on the same instances of some families, at one budget.
   [[nodiscard]] PairedComparison compared_with(const std::string& ours, const std::string& theirs,

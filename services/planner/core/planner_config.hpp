@@ -31,6 +31,8 @@ struct PlannerConfig {
   double late_s = 10.0;             ///< So much behind the plan is still on it [s].
   double deviation_m = 5.0;         ///< Replans when the person is this far from the plan [m] ...
   double deviation_s = 10.0;        ///< ... for so long [s].
+  double person_reaction_s = 3.0;   ///< So long a person goes on with the old plan before they turn to a new one [s].
+  double person_trust_s = 60.0;     ///< A new person counts as having followed plans for so long [s].
   double replan_pause_s = 20.0;     ///< Replans of its own accord only this long after the last one [s].
   double blocked_s = 3.0;           ///< A path reported as blocked for so long is given up [s].
   double blocked_radius_m = 0.7;    ///< What is avoided around the blocked point [m].
@@ -74,6 +76,8 @@ struct PlannerConfig {
     visitor.field("late_s", late_s, Range{0.0, 120.0});
     visitor.field("deviation_m", deviation_m, Range{0.5, 100.0});
     visitor.field("deviation_s", deviation_s, Range{0.0, 600.0});
+    visitor.field("person_reaction_s", person_reaction_s, Range{0.0, 30.0});
+    visitor.field("person_trust_s", person_trust_s, Range{1.0, 3600.0});
     visitor.field("replan_pause_s", replan_pause_s, Range{0.0, 600.0});
     visitor.field("blocked_s", blocked_s, Range{0.0, 60.0});
     visitor.field("blocked_radius_m", blocked_radius_m, Range{0.1, 5.0});

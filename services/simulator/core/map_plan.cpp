@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "services/simulator/core/strict_json.hpp"
+#include "services/common/strict_json.hpp"
 
 namespace tandem::simulator {
 namespace {

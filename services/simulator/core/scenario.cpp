@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "services/common/file_io.hpp"
-#include "services/simulator/core/strict_json.hpp"
+#include "services/common/strict_json.hpp"
 
 namespace tandem::simulator {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "services/bus/events.hpp"
+#include "services/planner/edit_messages.hpp"
 #include "services/planner/planner_messages.hpp"
 #include "tests/services/planner/support/room.hpp"
 #include "tests/support/domain_lease.hpp"
@@ -75,6 +76,8 @@ class PlannerServiceTest : public ::testing::Test {
       tell_poses();
       service.step();
       messages.step();
+      belief_edits.step();
+      source_edits.step();
       detections.step();
       return condition();
     });
@@ -84,6 +87,27 @@ class PlannerServiceTest : public ::testing::Test {
       const auto newest = team_plan.newest();
       return newest && newest->message.state() == state;
     });
+  }
+  bool answered(const std::string& id, bool applied) {
+    bool found = false;
+    return step_until([&] {
+      for (const auto& receipt : receipts.take()) {
+        found |= receipt.message.id() == id && receipt.message.applied() == applied;
+      }
+      return found;
+    });
+  }
+  /// An edit of this team, of the place around a point.
+  template <typename Edit>
+  Edit edit_at(double x, double y) {
+    Edit edit;
+    edit.id(bus::new_event_id("test", others.clock()));
+    edit.robot(site.robot);
+    edit.who(site.agent);
+    edit.boundary_in_map().resize(1);
+    edit.boundary_in_map()[0].x(x);
+    edit.boundary_in_map()[0].y(y);
+    return edit;
   }
   std::string send(msg::HumanMessageKind kind, double x = 0.0, double y = 0.0) {
     msg::HumanMessage message;
@@ -109,12 +133,15 @@ class PlannerServiceTest : public ::testing::Test {
   bus::Writer<msg::SessionState, msg::SessionStatePubSubType> session = others.writer(topic::kSession);
   bus::Writer<msg::HumanMessage, msg::HumanMessagePubSubType> human_message = others.writer(topic::kHumanMessage);
   bus::EventSender<msg::HumanMessage, msg::HumanMessagePubSubType> messages{others, topic::kHumanMessage};
+  bus::EventSender<msg::BeliefEdit, msg::BeliefEditPubSubType> belief_edits{others, topic::kBeliefEdit};
+  bus::EventSender<msg::SourceEdit, msg::SourceEditPubSubType> source_edits{others, topic::kSourceEdit};
   bus::EventSender<msg::ObjectDetection, msg::ObjectDetectionPubSubType> detections{others, topic::kDetection};
   bus::InOrder<msg::MessageReceipt, msg::MessageReceiptPubSubType> receipts = others.in_order(topic::kMessageReceipt);
   bus::Latest<msg::TeamPlan, msg::TeamPlanPubSubType> team_plan = others.latest(topic::kTeamPlan);
   bus::Latest<msg::PlannerStatus, msg::PlannerStatusPubSubType> status = others.latest(topic::kPlannerStatus);
   bus::Latest<msg::SearchBelief, msg::SearchBeliefPubSubType> belief = others.latest(topic::kBelief);
   bus::Latest<msg::RewardSource, msg::RewardSourcePubSubType> sources = others.latest(topic::kRewardSource);
+  bus::Latest<msg::SourceRelation, msg::SourceRelationPubSubType> relations = others.latest(topic::kSourceRelation);
   PlannerService service{quick_config(), site, planner_bus, clock};
 };
 
@@ -138,15 +165,6 @@ TEST_F(PlannerServiceTest, MessagesGetReceiptsAndGoalsBecomeSources) {
   ASSERT_TRUE(step_until([&] { return belief.newest().has_value(); }));
   tell_session(msg::SESSION_RUNNING);
   ASSERT_TRUE(plan_is(msg::PLAN_PROPOSED));
-  const auto answered = [&](const std::string& id, bool applied) {
-    bool found = false;
-    return step_until([&] {
-      for (const auto& receipt : receipts.take()) {
-        found |= receipt.message.id() == id && receipt.message.applied() == applied;
-      }
-      return found;
-    });
-  };
   EXPECT_TRUE(answered(send(msg::HUMAN_MY_GOAL, 9.0, 7.0), true));
   EXPECT_TRUE(step_until([&] { return sources.newest().has_value(); }));
   EXPECT_EQ(sources.newest()->message.targets(), std::vector<std::string>{site.agent});
@@ -156,6 +174,48 @@ TEST_F(PlannerServiceTest, MessagesGetReceiptsAndGoalsBecomeSources) {
     return team_plan.newest()->message.role() == msg::ROLE_PEER_PEER &&
            team_plan.newest()->message.paths()[1].goal_fixed();
   }));
+}
+
+TEST_F(PlannerServiceTest, ThePersonEditsTheBelief) {
+  ASSERT_TRUE(step_until([&] { return belief.newest().has_value(); }));
+  tell_session(msg::SESSION_RUNNING);
+  ASSERT_TRUE(plan_is(msg::PLAN_PROPOSED));
+  const std::string first = team_plan.newest()->message.id();
+  auto likely = edit_at<msg::BeliefEdit>(8.0, 6.0);
+  likely.kind(msg::BELIEF_LIKELY_HERE);
+  likely.strength("very");
+  belief_edits.send(likely);
+  EXPECT_TRUE(answered(likely.id(), true));
+  EXPECT_TRUE(step_until([&] { return team_plan.newest()->message.id() != first; }));
+  EXPECT_TRUE(team_plan.newest()->message.reason().starts_with("The person knows something of where it is."));
+  auto outside = edit_at<msg::BeliefEdit>(800.0, 6.0);
+  belief_edits.send(outside);
+  EXPECT_TRUE(answered(outside.id(), false));
+}
+
+TEST_F(PlannerServiceTest, WhatIsDrawnIsPublishedUntilItIsRemoved) {
+  ASSERT_TRUE(step_until([&] { return belief.newest().has_value(); }));
+  tell_session(msg::SESSION_RUNNING);
+  ASSERT_TRUE(plan_is(msg::PLAN_PROPOSED));
+  auto go = edit_at<msg::SourceEdit>(8.0, 6.0);
+  go.kind(msg::EDIT_GO_TO);
+  go.source_id("here");
+  go.targets({site.agent});
+  source_edits.send(go);
+  ASSERT_TRUE(answered(go.id(), true));
+  ASSERT_TRUE(step_until([&] { return relations.newest().has_value(); }));
+  EXPECT_EQ(relations.newest()->message.from_id(), "here");
+  EXPECT_EQ(relations.newest()->message.kind(), "codependent");
+  auto removal = edit_at<msg::SourceEdit>(0.0, 0.0);
+  removal.kind(msg::EDIT_REMOVE);
+  removal.source_id("here");
+  source_edits.send(removal);
+  ASSERT_TRUE(answered(removal.id(), true));
+  auto behind = edit_at<msg::SourceEdit>(8.0, 6.0);
+  behind.kind(msg::EDIT_STAY_BEHIND);
+  behind.source_id("behind");
+  source_edits.send(behind);
+  EXPECT_TRUE(answered(behind.id(), false));
 }
 
 TEST_F(PlannerServiceTest, ADetectionEndsThePlanning) {
@@ -200,17 +260,59 @@ TEST(PlannerMessages, AMapThatIsNotWholeIsRefused) {
   EXPECT_FALSE(to_core(flat));
 }
 
+TEST(PlannerMessages, AnEditKeepsItsPlaceAndWords) {
+  msg::SourceEdit message;
+  message.kind(msg::EDIT_AVOID);
+  message.source_id("s1");
+  message.strength("very");
+  message.targets({"robot1"});
+  for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.0, 0.0}, {3.0, 0.0}, {0.0, 4.0}, {0.0, 0.0}}) {
+    msg::Point2 corner;
+    corner.x(x);
+    corner.y(y);
+    message.boundary_in_map().push_back(corner);
+  }
+  const auto edit = to_core(message);
+  ASSERT_TRUE(edit);
+  EXPECT_EQ(edit->kind, SourceEdit::Kind::Avoid);
+  EXPECT_EQ(edit->source_id, "s1");
+  EXPECT_EQ(edit->strength, "very");
+  EXPECT_EQ(edit->targets, std::vector<std::string>{"robot1"});
+  EXPECT_EQ(std::get<Polygon>(edit->region).corners.size(), 3U);  // a hand draws corners twice
+  message.boundary_in_map().resize(1);
+  EXPECT_TRUE(std::holds_alternative<Disc>(to_core(message)->region));
+  message.boundary_in_map()[0].x(std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(to_core(message));
+}
+
+TEST(PlannerMessages, ABeliefEditNeedsAPlace) {
+  msg::BeliefEdit message;
+  message.kind(msg::BELIEF_SEARCHED);
+  message.strength("roughly");
+  EXPECT_FALSE(to_core(message));
+  message.boundary_in_map().resize(1);
+  const auto edit = to_core(message);
+  ASSERT_TRUE(edit);
+  EXPECT_EQ(edit->kind, BeliefEdit::Kind::Searched);
+  EXPECT_EQ(edit->strength, "roughly");
+}
+
 TEST(PlannerMessages, APlanKeepsItsTimesAndPlaces) {
   MissionPlan plan;
   plan.id = "p1";
   plan.start = from_stamp_ns(1'000);
   plan.role = Role::PeerPeer;
+  plan.lower_bound_s = 12.0;
+  plan.reason = "first plan";
+  plan.explanation = "First plan. The robot goes 2 m.";
   plan.members.push_back({"robot1", TimedPath{{{0.0, {1, 2}}, {2.0, {2, 2}}}}, {2, 2}, true});
   const auto message =
       to_message(plan, PlanStanding::Accepted, {"robot1", "S01", "laptop1/1", 5, from_stamp_ns(2'000)});
 
   EXPECT_EQ(message.state(), msg::PLAN_ACCEPTED);
   EXPECT_EQ(message.role(), msg::ROLE_PEER_PEER);
+  EXPECT_EQ(message.lower_bound_s(), 12.0);
+  EXPECT_EQ(message.reason(), "First plan. The robot goes 2 m.");
   ASSERT_EQ(message.paths().size(), 1U);
   EXPECT_EQ(message.paths()[0].points()[1].stamp_ns(), 2'000'001'000);
   EXPECT_EQ(message.paths()[0].points()[1].x_m(), 2.0);

@@ -137,7 +137,7 @@ std::vector<int> mowing_order(const std::vector<Vector2d>& points, double lane_w
   return indices;
 }
 
-Routes LawnmowerPlanner::routes(const PreparedProblem& problem) const {
+Routes lawnmower_routes(const PreparedProblem& problem) {
   TeamWalk walk(problem, 1);
   const Field field = field_of(problem, walk.mass());
   if (field.cells.empty()) return walk.routes();

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "services/planner/core/mission/computation.hpp"
+#include "services/planner/core/mission/plan_explanation.hpp"
 #include "services/planner/core/planners/registry.hpp"
 
 namespace tandem {
@@ -11,20 +12,36 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kStartReach_m = 3.0;
 constexpr double kSurvivalStep_s = 0.5;
 constexpr double kPersonForgotten_s = 60.0;  ///< not heard of for so long, a person is planned without
 constexpr double kSlackOfPlans = 1.5;        ///< a plan is void after so many times its duration ...
 constexpr double kSlack_s = 20.0;            ///< ... and this
 constexpr std::size_t kRejectedKept = 4;
+constexpr double kLeastStray = 0.05;    ///< a person so unlikely to stray is taken to follow
+constexpr double kCourseKept_s = 30.0;  ///< one who strays goes straight on for no longer
 
-/// How far off `path` a point is [m] for one who should be there at `time_s`, or is up to `late_s` late or early.
-double distance_to_path_m(const TimedPath& path, const Vector2d& point_in_map, double time_s, double late_s) {
-  double nearest_m = (pose_at(path, time_s).position() - point_in_map).norm();
+/// Where on its path one is.
+struct OnPath {
+  double time_s = 0.0;      ///< of the nearest place
+  double distance_m = 0.0;  ///< to it
+};
+
+/// For one who should be at `time_s` of the path, or is up to `late_s` late or early.
+OnPath nearest_on(const TimedPath& path, const Vector2d& point_in_map, double time_s, double late_s) {
+  OnPath nearest{time_s, (pose_at(path, time_s).position() - point_in_map).norm()};
   for (double other_s = time_s - late_s; other_s <= time_s + late_s; other_s += 1.0) {
-    nearest_m = std::min(nearest_m, (pose_at(path, other_s).position() - point_in_map).norm());
+    const double distance_m = (pose_at(path, other_s).position() - point_in_map).norm();
+    if (distance_m < nearest.distance_m) nearest = {other_s, distance_m};
   }
-  return nearest_m;
+  return nearest;
+}
+
+double length_m(const TimedPath& path) {
+  double sum_m = 0.0;
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    sum_m += (path.points[i].point_in_map - path.points[i - 1].point_in_map).norm();
+  }
+  return sum_m;
 }
 
 }  // namespace
@@ -45,6 +62,8 @@ PlanSituation SearchMission::situation(Time now) const {
   situation.blocked = blocked_since_ && to_seconds(now - *blocked_since_) >= config_.blocked_s;
   situation.robot_finished = robot_finished_;
   situation.goal_reached = person_reached_goal_;
+  situation.person_said_where = person_said_where_;
+  situation.person_drew = person_drew_;
   situation.person_is_new = !person_planned_ && person_is_known(now);
   if (person_off_plan_since_) situation.person_off_plan_s = to_seconds(now - *person_off_plan_since_);
   if (!survival_.empty() && left_when_planned_ > 0.0) {
@@ -58,10 +77,11 @@ PlanSituation SearchMission::situation(Time now) const {
 void SearchMission::follow_person(Time now) {
   const bool checkable = plan_ && person_planned_ && seen_[kPerson] &&
                          seen_[kPerson]->age_s < config_.person_credit_s && standing(now) == PlanStanding::Accepted;
-  const double off_m = checkable
-                           ? distance_to_path_m(plan_->members[kPerson].path, seen_[kPerson]->map_from_agent.position(),
-                                                elapsed_s(now), config_.late_s)
-                           : 0.0;
+  const double off_m = checkable ? nearest_on(plan_->members[kPerson].path, seen_[kPerson]->map_from_agent.position(),
+                                              elapsed_s(now), config_.late_s)
+                                       .distance_m
+                                 : 0.0;
+  habits_.follow(now, checkable ? std::optional{off_m <= config_.deviation_m} : std::nullopt);
   if (off_m <= config_.deviation_m) {
     person_off_plan_since_.reset();
   } else if (!person_off_plan_since_) {
@@ -76,6 +96,7 @@ void SearchMission::drop_reached_goals(Time now) {
     const Vector2d& goal = plan_->members[member].goal_in_map;
     if ((seen_[member]->map_from_agent.position() - goal).norm() > config_.goal_reach_m) continue;
     goals_[member].reset();
+    forget_drawn_goals(member);
     ++world_version_;
     if (member == kPerson) person_reached_goal_ = true;
   }
@@ -83,20 +104,6 @@ void SearchMission::drop_reached_goals(Time now) {
 
 void SearchMission::forget_old_blockages(Time now) {
   std::erase_if(blocked_, [&](const auto& entry) { return to_seconds(now - entry.first) > config_.blocked_memory_s; });
-}
-
-/// Finds the robot's ways around what is blocked; if that shuts it in, it must try again through what was blocked.
-void SearchMission::find_ways_anew(const Vector2d& robot_in_map) {
-  std::vector<BlockedDisc> discs;
-  for (const auto& entry : blocked_) discs.push_back(entry.second);
-  world_->block(kRobot, discs, robot_in_map);
-  ++world_version_;
-  if (discs.empty()) return;
-  ActionSet& actions = world_->actions(kRobot);
-  const auto start = actions.add_place(robot_in_map, kStartReach_m);
-  if (start && !actions.nearest_lookouts(*start).empty()) return;
-  blocked_.clear();
-  world_->block(kRobot, {}, robot_in_map);
 }
 
 void SearchMission::begin_plan(Time now, const std::string& reason) {
@@ -111,7 +118,7 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
     blocked_since_.reset();
     ways_changed = true;
   }
-  if (ways_changed) find_ways_anew(robot_in_map);
+  if (ways_changed) find_ways_around_blockages();
   const PlanStanding before = standing(now);
   const bool asked_for = before == PlanStanding::Rejected || before == PlanStanding::Superseded;
   if (!asked_for) rejected_.clear();
@@ -124,6 +131,7 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
   problem.masses = {belief_->posterior()};
   problem.horizon_s = config_.horizon_s;
   problem.rejected = rejected_;
+  problem.current = rest_of_plan(now);
   std::vector<int> searchers;
   for (const std::size_t member : {kRobot, kPerson}) {
     if (member == kPerson && !person_is_known(now)) continue;
@@ -134,12 +142,8 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
       failed_ = now;
       return fail("the robot stands where it cannot move");
     }
-    SearchMember who;
-    who.searcher = searcher;
-    who.pose = pose;
-    who.goal = goals_[member];
     searchers.push_back(searcher);
-    problem.members.push_back(std::move(who));
+    problem.members.push_back(member_of_plan(member, now));
   }
   problem.tail_s = world_->sweep_time_s(searchers);
   const Rng rng{static_cast<std::uint64_t>(config_.seed) + 1'000'003 * plans_};
@@ -148,6 +152,61 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
   computation_ = std::move(computation);
   activity_ = MissionActivity::Computing;
   failure_.clear();
+}
+
+/// What is left of a plan under way, so that the next one is no worse; nothing if none is.
+std::vector<TimedPath> SearchMission::rest_of_plan(Time now) const {
+  const PlanStanding before = standing(now);
+  const bool was_under_way = before == PlanStanding::Accepted || before == PlanStanding::Superseded;
+  std::vector<TimedPath> rest;
+  if (!plan_ || !was_under_way) return rest;
+  for (std::size_t m = 0; m < plan_->members.size(); ++m) {
+    rest.push_back(rest_of(plan_->members[m].path, elapsed_s(now), seen_[m]->map_from_agent.position()));
+  }
+  return rest;
+}
+
+/// One who is planned for. A person does not turn to a new plan at once, unless they asked for it; and one who has not
+/// followed plans may go straight on instead.
+SearchMember SearchMission::member_of_plan(std::size_t member, Time now) const {
+  SearchMember who;
+  who.searcher = static_cast<int>(member);
+  who.pose = seen_[member]->map_from_agent;
+  who.goal = goals_[member];
+  if (member != kPerson) return who;
+  const Vector2d person_in_map = who.pose.position();
+  const bool goes_on = plan_ && person_planned_ && standing(now) == PlanStanding::Accepted && !person_off_plan_since_;
+  if (goes_on && !person_said_where_ && !person_drew_) {
+    const TimedPath& path = plan_->members[kPerson].path;
+    const double on_path_s = nearest_on(path, person_in_map, elapsed_s(now), config_.late_s).time_s;
+    const TimedPath rest = rest_of(path, on_path_s, person_in_map);
+    if (rest.points.size() > 1) who.committed = path_until(rest, config_.person_reaction_s);
+  }
+  const double stray = habits_.stray_probability();
+  if (stray < kLeastStray) return who;
+  const Searcher& person = world_->searcher(who.searcher);
+  const TimedPath astray = straight_on(world_->actions(who.searcher).motion(), person_in_map, habits_.course(),
+                                       person.speed_mps, person.radius_m, kCourseKept_s);
+  who.hypotheses.push_back({stray, waiting_until(astray, config_.horizon_s)});
+  return who;
+}
+
+std::string SearchMission::explanation(const JointPlan& joint, const MissionPlan& plan) const {
+  PlanFacts facts;
+  facts.occasion = plan.reason;
+  facts.robot_way_m = length_m(plan.members[kRobot].path);
+  facts.robot_goal_fixed = plan.members[kRobot].goal_fixed;
+  facts.probability_found = joint.forecast.probability_found;
+  facts.horizon_s = config_.horizon_s;
+  if (plan.members.size() > kPerson) {
+    facts.person_way_m = length_m(plan.members[kPerson].path);
+    facts.person_goal_fixed = plan.members[kPerson].goal_fixed;
+    std::vector<TimedPath> paths = joint.paths;
+    paths[kPerson] = waiting_until({{paths[kPerson].points.front()}}, config_.horizon_s);
+    const JointPlan person_stays = evaluated(computation_->problem, std::move(paths));
+    facts.without_person_s = person_stays.forecast.expected_time_s - joint.forecast.expected_time_s;
+  }
+  return explanation_of(facts);
 }
 
 void SearchMission::finish_plan(Time now) {
@@ -159,6 +218,7 @@ void SearchMission::finish_plan(Time now) {
   plan.world_version = world_version_;
   plan.start = now + from_seconds(config_.acceptance_delay_s);
   plan.forecast = joint.forecast;
+  plan.lower_bound_s = joint.lower_bound_s;
   plan.reason = computation_->reason;
   double duration_s = 0.0;
   for (std::size_t m = 0; m < joint.paths.size(); ++m) {
@@ -169,6 +229,7 @@ void SearchMission::finish_plan(Time now) {
   }
   const bool person_fixed = plan.members.size() > kPerson && plan.members[kPerson].goal_fixed;
   plan.role = role_of(person_fixed, plan.members[kRobot].goal_fixed);
+  plan.explanation = explanation(joint, plan);
   plan.valid_until = plan.start + from_seconds(kSlackOfPlans * duration_s + kSlack_s);
   acceptance_.propose(now, plan.valid_until);
   proposed_ = now;
@@ -178,6 +239,8 @@ void SearchMission::finish_plan(Time now) {
   computation_.reset();
   robot_finished_ = false;
   person_reached_goal_ = false;
+  person_said_where_ = false;
+  person_drew_ = false;
   person_off_plan_since_.reset();
   blocked_since_.reset();
   activity_ = MissionActivity::Idle;

@@ -16,6 +16,8 @@ std::optional<std::string> replan_reason(const PlanSituation& situation, const P
     case PlanStanding::Accepted:
       break;
   }
+  if (situation.person_said_where) return "the person knows something of where it is";
+  if (situation.person_drew) return "the person drew on the map";
   if (situation.blocked) return "the robot's path is blocked";
   if (situation.standing == PlanStanding::Accepted) {
     if (situation.robot_finished) return "the robot is at the end of its path";

@@ -15,6 +15,8 @@ struct PlanSituation {
   bool blocked = false;            ///< for long enough to be given up
   bool robot_finished = false;     ///< its path
   bool goal_reached = false;       ///< the person reached the goal they fixed
+  bool person_said_where = false;  ///< the person edited the belief since the plan was made
+  bool person_drew = false;        ///< the person drew or removed a source since
   bool person_is_new = false;      ///< is known, but the plan was made without
   double surprise = 0.0;           ///< P(not found) now, minus what the plan promised for now
   double person_off_plan_s = 0.0;  ///< for how long the person has been elsewhere

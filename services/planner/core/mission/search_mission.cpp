@@ -20,7 +20,8 @@ SearchMission::SearchMission(const PlannerConfig& config, std::string robot, std
     : config_(config),
       agents_{std::move(robot), std::move(person)},
       watches_{Watch{kRobot, robot_of(config, agents_[kRobot])}, Watch{kPerson, person_of(config, agents_[kPerson])}},
-      acceptance_(from_seconds(config.acceptance_delay_s)) {}
+      acceptance_(from_seconds(config.acceptance_delay_s)),
+      habits_(config.person_trust_s) {}
 
 SearchMission::~SearchMission() = default;
 
@@ -29,6 +30,7 @@ void SearchMission::set_map(OccupancyGrid map) {
   map_ = std::move(map);
   computation_.reset();
   world_.reset();
+  drawn_.clear();
   belief_.reset();
   plan_.reset();
   acceptance_.clear();
@@ -59,6 +61,9 @@ void SearchMission::start_search() {
   blocked_since_.reset();
   plans_ = 0;
   goals_ = {};
+  forget_drawn();
+  person_said_where_ = false;
+  habits_ = PersonHabits(config_.person_trust_s);
   for (auto& watch : watches_) watch.pause();
   activity_ = MissionActivity::Idle;
   failure_.clear();
@@ -76,6 +81,7 @@ void SearchMission::robot_at(Time stamp, const Pose2& map_from_robot) {
 
 void SearchMission::person_at(Time stamp, const Pose2& map_from_person, double age_s) {
   seen_[kPerson] = Seen{stamp, map_from_person, age_s};
+  if (age_s < config_.person_credit_s) habits_.seen(stamp, map_from_person.position());
   if (age_s >= config_.person_credit_s) {
     watches_[kPerson].pause();
   } else if (running_ && belief_ && activity_ != MissionActivity::Finished) {
@@ -92,6 +98,7 @@ std::optional<std::string> SearchMission::request(const PersonRequest& request, 
     case Kind::ClearMyGoal:
     case Kind::ClearRobotGoal:
       goals_[whose].reset();
+      forget_drawn_goals(whose);
       ++world_version_;
       return std::nullopt;
     case Kind::MyGoal:
@@ -99,6 +106,7 @@ std::optional<std::string> SearchMission::request(const PersonRequest& request, 
       if (!world_) return "the map is not known yet";
       const auto cell = world_->area().nearest_cell(request.point_in_map, kGoalOffArea_m);
       if (!cell) return "there is no floor to stand on near that place";
+      forget_drawn_goals(whose);
       const bool on_floor = world_->area().cell_at(request.point_in_map).has_value();
       goals_[whose] = on_floor ? request.point_in_map : world_->area().point(*cell);
       ++world_version_;

@@ -9,9 +9,13 @@
 
 #include "services/common/time.hpp"
 #include "services/planner/core/acceptance/plan_acceptance.hpp"
+#include "services/planner/core/mission/drawn_source.hpp"
+#include "services/planner/core/mission/person_habits.hpp"
 #include "services/planner/core/mission/replan_reason.hpp"
 #include "services/planner/core/mission/watch.hpp"
 #include "services/planner/core/roles/role.hpp"
+#include "services/planner/core/search/belief_edit.hpp"
+#include "services/planner/core/srs/reward_world.hpp"
 #include "services/planner/core/team/planner.hpp"
 
 namespace tandem {
@@ -46,7 +50,9 @@ struct MissionPlan {
   Role role = Role::LeaderFollower;
   std::vector<Member> members;
   Forecast forecast;
-  std::string reason;
+  double lower_bound_s = 0.0;  ///< no plan has a smaller expected time; 0: not known
+  std::string reason;          ///< for a new plan
+  std::string explanation;     ///< why this one, for people
 };
 
 /// What the planner is doing.
@@ -68,6 +74,10 @@ class SearchMission {
   void person_at(Time stamp, const Pose2& map_from_person, double age_s);
   /// Does what the person asks for, or says why not.
   [[nodiscard]] std::optional<std::string> request(const PersonRequest& request, Time now);
+  /// Changes where the object is believed to be as the person says, or says why not.
+  [[nodiscard]] std::optional<std::string> edit_belief(const BeliefEdit& edit);
+  /// Adds or removes what the person draws on the map, or says why not.
+  [[nodiscard]] std::optional<std::string> edit_source(const SourceEdit& edit, Time now);
   void robot_progress(const RobotProgress& progress, Time now);
   /// The object is found: the search is over.
   void found();
@@ -85,6 +95,10 @@ class SearchMission {
   /// The goal a person fixed for the robot (kRobot) or themselves (kPerson).
   [[nodiscard]] const std::optional<Eigen::Vector2d>& goal(std::size_t member) const { return goals_[member]; }
   [[nodiscard]] const std::string& agent(std::size_t member) const { return agents_[member]; }
+  /// The goals, and what has been drawn.
+  [[nodiscard]] std::vector<RewardSource> sources() const;
+  /// A drawn place to go to is one thing with the goal it makes.
+  [[nodiscard]] std::vector<Relation> relations() const;
   /// None before map and robot are known.
   [[nodiscard]] const SearchArea* area() const { return world_ ? &world_->area() : nullptr; }
   [[nodiscard]] const SearchBelief* belief() const { return belief_ ? &*belief_ : nullptr; }
@@ -109,7 +123,20 @@ class SearchMission {
   void begin_plan(Time now, const std::string& reason);
   void finish_plan(Time now);
   void forget_old_blockages(Time now);
-  void find_ways_anew(const Eigen::Vector2d& robot_in_map);
+  [[nodiscard]] std::vector<BlockedDisc> kept_out_of(std::size_t member) const;
+  void find_ways_anew(std::size_t member, const std::vector<BlockedDisc>& blocked);
+  void find_ways_around_blockages();
+  void renew_ways(const SourceEdit& edit);
+  [[nodiscard]] bool gets_somewhere(std::size_t member);
+  [[nodiscard]] std::optional<std::string> keep_out(const SourceEdit& edit);
+  [[nodiscard]] std::optional<std::string> go_to(const SourceEdit& edit, Time now);
+  [[nodiscard]] std::optional<std::string> remove_source(const std::string& id);
+  [[nodiscard]] bool concerns(const SourceEdit& edit, std::size_t member) const;
+  void forget_drawn_goals(std::size_t member);
+  void forget_drawn();
+  [[nodiscard]] SearchMember member_of_plan(std::size_t member, Time now) const;
+  [[nodiscard]] std::vector<TimedPath> rest_of_plan(Time now) const;
+  [[nodiscard]] std::string explanation(const JointPlan& joint, const MissionPlan& plan) const;
   void follow_person(Time now);
   void drop_reached_goals(Time now);
   [[nodiscard]] double elapsed_s(Time now) const;
@@ -137,11 +164,15 @@ class SearchMission {
   double left_when_planned_ = 1.0;  ///< P(not found) when the plan was made
   std::vector<double> survival_;    ///< what the plan promises
   bool person_planned_ = false;
+  bool person_said_where_ = false;
+  bool person_drew_ = false;
   bool person_reached_goal_ = false;
   std::optional<Time> person_off_plan_since_;
   std::optional<Time> blocked_since_;
   Eigen::Vector2d blocked_at_ = Eigen::Vector2d::Zero();
   bool robot_finished_ = false;
+  PersonHabits habits_;
+  std::vector<SourceEdit> drawn_;
   std::vector<std::pair<Time, BlockedDisc>> blocked_;
   std::vector<std::vector<TimedPath>> rejected_;
   std::uint64_t world_version_ = 0;

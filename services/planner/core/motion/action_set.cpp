@@ -20,38 +20,33 @@ MotionOptions motion_options(const Searcher& searcher) {
   return options;
 }
 
+std::vector<int> lookout_nodes(const MotionMap& motion, ViewTable& views, const ActionSetOptions& options,
+                               const Vector2d& start_in_map) {
+  const auto start = motion.nearest_node(start_in_map, kPartReach_m);
+  if (!start) return {};
+  return covering_lookouts(views.observability(), motion, *start, options.lookout_range_m, options.least_gain_m2);
+}
+
 }  // namespace
 
 ActionSet::ActionSet(const OccupancyGrid& map, ViewTable& views, const ActionSetOptions& options,
                      const Vector2d& start_in_map, const std::vector<BlockedDisc>& blocked)
-    : options_(options), views_(views), motion_(map, motion_options(views.searcher()), blocked) {
-  if (const auto start = motion_.nearest_node(start_in_map, kPartReach_m)) {
-    for (const int node :
-         covering_lookouts(views_.observability(), motion_, *start, options_.lookout_range_m, options_.least_gain_m2)) {
-      places_.push_back({motion_.point(node), node});
-    }
-  }
-  lookout_count_ = static_cast<int>(places_.size());
-  paths_.resize(places_.size());
-  nearest_.resize(places_.size());
-  panoramas_.resize(places_.size());
-}
-
-bool ActionSet::prepare_next() {
-  if (prepared_ == lookout_count_) return false;
-  for (const int lookout : nearest_lookouts(prepared_)) (void)leg(prepared_, lookout);
-  ++prepared_;
-  return true;
+    : options_(options),
+      views_(views),
+      motion_(map, motion_options(views.searcher()), blocked),
+      roads_(motion_, lookout_nodes(motion_, views, options, start_in_map), options.nearest) {
+  for (int lookout = 0; lookout < lookouts(); ++lookout) points_.push_back(motion_.point(roads_.node(lookout)));
+  nearest_.resize(points_.size());
+  panoramas_.resize(points_.size());
 }
 
 void ActionSet::forget_added_places() {
-  const auto count = static_cast<std::size_t>(lookout_count_);
-  places_.resize(count);
-  paths_.resize(count);
+  const auto count = static_cast<std::size_t>(lookouts());
+  if (points_.size() == count) return;
+  points_.resize(count);
   nearest_.resize(count);
-  std::erase_if(legs_, [&](const auto& entry) {
-    return entry.first.first >= lookout_count_ || entry.first.second >= lookout_count_;
-  });
+  roads_.forget_added_places();
+  added_legs_.clear();
 }
 
 bool ActionSet::can_stand_near(const Vector2d& point_in_map) const {
@@ -63,42 +58,25 @@ std::optional<int> ActionSet::add_place(const Vector2d& point_in_map, double rea
   if (!node) return std::nullopt;
   const Vector2d& there = motion_.point(*node);
   const bool is_roomy = motion_.clearance_m(point_in_map, there) >= searcher().radius_m - kSlack_m;
-  places_.push_back({is_roomy ? point_in_map : there, *node});
-  paths_.emplace_back();
+  points_.push_back(is_roomy ? point_in_map : there);
   nearest_.emplace_back();
-  return static_cast<int>(places_.size()) - 1;
-}
-
-const ShortestPaths& ActionSet::paths_from(int place) {
-  ShortestPaths& paths = paths_[static_cast<std::size_t>(place)];
-  if (paths.from < 0) paths = motion_.shortest_paths(place_at(place).node);
-  return paths;
-}
-
-double ActionSet::distance_m(int from, int to) {
-  return paths_from(from).cost_m[static_cast<std::size_t>(place_at(to).node)];
+  return roads_.add_place(*node);
 }
 
 const std::vector<int>& ActionSet::nearest_lookouts(int from) {
   auto& nearest = nearest_[static_cast<std::size_t>(from)];
-  if (!nearest.empty()) return nearest;
-  std::vector<std::pair<double, int>> order;
-  for (int lookout = 0; lookout < lookout_count_; ++lookout) {
-    if (lookout != from && is_connected(from, lookout)) order.emplace_back(distance_m(from, lookout), lookout);
-  }
-  std::sort(order.begin(), order.end());
-  for (const auto& [distance, lookout] : order) {
-    if (static_cast<int>(nearest.size()) >= options_.nearest) break;
-    nearest.push_back(lookout);
+  if (nearest.empty()) {
+    for (const RoadGraph::Road& road : roads_.roads(from)) nearest.push_back(road.to);
   }
   return nearest;
 }
 
 const Leg& ActionSet::leg(int from, int to) {
-  const auto [entry, is_new] = legs_.try_emplace({from, to});
+  const bool stays = from < lookouts() && to < lookouts();
+  const auto [entry, is_new] = (stays ? legs_ : added_legs_).try_emplace({from, to});
   Leg& leg = entry->second;
   if (!is_new) return leg;
-  leg.way = motion_.way(paths_from(from), place_at(to).node, place(from), place(to));
+  if (const auto nodes = roads_.nodes(from, to); !nodes.empty()) leg.way = motion_.way(nodes, place(from), place(to));
   if (leg.way.size() < 2) {
     leg.way.clear();
     return leg;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "services/planner/core/motion/lookouts.hpp"
+#include "services/planner/core/motion/road_graph.hpp"
 #include "services/planner/core/motion/timed_path.hpp"
 #include "services/planner/core/search/sightings.hpp"
 
@@ -42,8 +43,9 @@ class ActionSet {
   ActionSet(const OccupancyGrid& map, ViewTable& views, const ActionSetOptions& options,
             const Eigen::Vector2d& start_in_map, const std::vector<BlockedDisc>& blocked = {});
 
-  /// Finds ways and views of one more lookout ahead of need; false once all are there.
-  bool prepare_next();
+  ActionSet(const ActionSet&) = delete;  // its parts point at each other
+  ActionSet& operator=(const ActionSet&) = delete;
+
   /// Forgets the places added for the last plan.
   void forget_added_places();
   /// Adds a start or goal: the point itself, or where one can stand near it; none if that is not within `reach_m`.
@@ -52,12 +54,12 @@ class ActionSet {
   /// Whether an agent at that point gets anywhere.
   [[nodiscard]] bool can_stand_near(const Eigen::Vector2d& point_in_map) const;
 
-  [[nodiscard]] int lookouts() const { return lookout_count_; }
-  [[nodiscard]] const Eigen::Vector2d& place(int index) const { return place_at(index).point_in_map; }
+  [[nodiscard]] int lookouts() const { return roads_.lookouts(); }
+  [[nodiscard]] const Eigen::Vector2d& place(int index) const { return points_[static_cast<std::size_t>(index)]; }
   /// Whether a way leads from one place to the other.
   [[nodiscard]] bool is_connected(int from, int to) { return std::isfinite(distance_m(from, to)); }
   /// How far it is from one place to another, clearance counted [m].
-  [[nodiscard]] double distance_m(int from, int to);
+  [[nodiscard]] double distance_m(int from, int to) { return roads_.cost_m(from, to); }
   [[nodiscard]] const Leg& leg(int from, int to);
   /// The lookouts nearest to a place, itself not among them.
   [[nodiscard]] const std::vector<int>& nearest_lookouts(int from);
@@ -67,22 +69,14 @@ class ActionSet {
   [[nodiscard]] const MotionMap& motion() const { return motion_; }
 
  private:
-  struct Place {
-    Eigen::Vector2d point_in_map;  ///< [m]
-    int node = -1;                 ///< of motion_
-  };
-  [[nodiscard]] const Place& place_at(int index) const { return places_[static_cast<std::size_t>(index)]; }
-  const ShortestPaths& paths_from(int place);
-
   ActionSetOptions options_;
   ViewTable& views_;
   MotionMap motion_;
-  int lookout_count_ = 0;
-  int prepared_ = 0;  ///< lookouts, from the first
-  std::vector<Place> places_;
-  std::vector<ShortestPaths> paths_;       ///< per place, empty until asked for
-  std::vector<std::vector<int>> nearest_;  ///< per place
-  std::map<std::pair<int, int>, Leg> legs_;
+  RoadGraph roads_;
+  std::vector<Eigen::Vector2d> points_;            ///< per place [m]
+  std::vector<std::vector<int>> nearest_;          ///< per place
+  std::map<std::pair<int, int>, Leg> legs_;        ///< between lookouts
+  std::map<std::pair<int, int>, Leg> added_legs_;  ///< from or to added places
   std::vector<View> panoramas_;
 };
 

@@ -4,17 +4,27 @@
 
 #include "services/common/config.hpp"
 #include "services/planner/core/planners/peers.hpp"
-#include "services/planner/core/team/team_planner.hpp"
+#include "services/planner/core/team/tandem_planner.hpp"
 
 namespace tandem {
 namespace {
 
 std::unique_ptr<Planner> make_tandem(PlannerOptions& given) {
-  TeamPlannerOptions options;
-  options.eligible = given.whole_number("eligible", options.eligible);
-  options.exploration = given.number("exploration", options.exploration);
-  options.rollout_spread = given.number("rollout_spread", options.rollout_spread);
-  return std::make_unique<TeamPlanner>(options);
+  TandemOptions options;
+  options.tree.eligible = given.whole_number("eligible", options.tree.eligible);
+  options.tree.exploration = given.number("exploration", options.tree.exploration);
+  options.tree.rollout_spread = given.number("rollout_spread", options.tree.rollout_spread);
+  options.walk.exponent = given.number("exponent", options.walk.exponent);
+  options.refinement.warmth = given.number("warmth", options.refinement.warmth);
+  options.refinement.coldness = given.number("coldness", options.refinement.coldness);
+  options.refinement.cycle = given.whole_number("cycle", options.refinement.cycle);
+  options.refinement.neighbours = given.whole_number("neighbours", options.refinement.neighbours);
+  options.moves = given.whole_number("moves", options.moves);
+  options.refinement.new_legs = given.number("new_legs", options.refinement.new_legs);
+  options.tree_every = given.whole_number("tree_every", options.tree_every);
+  options.seeds = given.whole_number("seeds", options.seeds ? 1 : 0) != 0;
+  options.warm_start = given.whole_number("warm_start", options.warm_start ? 1 : 0) != 0;
+  return std::make_unique<TandemPlanner>(options);
 }
 
 const std::map<std::string, MakePlanner>& makers() {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "services/mapping/core/distance_field.hpp"
-#include "services/planner/core/srs/boundary.hpp"
+#include "services/planner/core/srs/planar_shape.hpp"
 
 namespace tandem {
 namespace {
@@ -70,7 +70,7 @@ SearchArea::SearchArea(const OccupancyGrid& map, const SearchAreaOptions& option
   const double resolution_m = map.resolution_m();
   const auto steps = steps_from_walked_floor(
       map, options, static_cast<int>(std::ceil((options.walk_clearance_m + 0.1) / resolution_m)));
-  const Boundary outline = Polygon{options.outline_in_map};
+  const PlanarShape outline = Polygon{options.outline_in_map};
   const auto searched = [&](CellIndex cell) {
     return steps[map.offset(cell)] >= 0 &&
            (options.outline_in_map.empty() || contains(outline, map.centre_in_map(cell)));

@@ -1,5 +1,6 @@
 #include "services/planner/core/search/search_belief.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -8,7 +9,11 @@
 namespace tandem {
 
 SearchBelief::SearchBelief(std::vector<double> prior)
-    : mass_(std::move(prior)), exposure_(mass_.size(), 0.0), first_seen_by_(mass_.size(), -1) {}
+    : prior_(std::move(prior)),
+      weight_(prior_.size(), 1.0),
+      mass_(prior_),
+      exposure_(prior_.size(), 0.0),
+      first_seen_by_(prior_.size(), -1) {}
 
 void SearchBelief::look(std::size_t agent, const View& view, double detection_rate_per_s, double duration_s) {
   assert(duration_s >= 0.0);
@@ -20,6 +25,37 @@ void SearchBelief::look(std::size_t agent, const View& view, double detection_ra
     exposure_[i] += detection_rate_per_s * duration_s;
     if (first_seen_by_[i] < 0) first_seen_by_[i] = static_cast<int>(agent);
   }
+}
+
+void SearchBelief::weigh(const std::vector<int>& cells, double weight) {
+  assert(weight > 0.0);
+  for (const int cell : cells) weight_[static_cast<std::size_t>(cell)] = weight;
+  renew_mass();
+}
+
+void SearchBelief::claim_look(std::size_t agent, const std::vector<int>& cells, double exposure) {
+  for (const int cell : cells) {
+    const auto i = static_cast<std::size_t>(cell);
+    exposure_[i] = std::max(exposure_[i], exposure);
+    if (first_seen_by_[i] < 0) first_seen_by_[i] = static_cast<int>(agent);
+  }
+  renew_mass();
+}
+
+void SearchBelief::look_again(const std::vector<int>& cells) {
+  for (const int cell : cells) {
+    const auto i = static_cast<std::size_t>(cell);
+    exposure_[i] = 0.0;
+    first_seen_by_[i] = -1;
+    weight_[i] = std::max(weight_[i], 1.0);
+  }
+  renew_mass();
+}
+
+void SearchBelief::renew_mass() {
+  const double sum = std::inner_product(prior_.begin(), prior_.end(), weight_.begin(), 0.0);
+  if (!(sum > 0.0)) return;
+  for (std::size_t i = 0; i < mass_.size(); ++i) mass_[i] = prior_[i] * weight_[i] / sum * std::exp(-exposure_[i]);
 }
 
 double SearchBelief::probability_left() const {

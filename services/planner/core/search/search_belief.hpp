@@ -9,7 +9,9 @@ namespace tandem {
 /// Where the object may be, and who looked where: equations (22)-(27), corrected (digest G).
 ///
 /// Holds the joint mass of each cell: the probability that the object lies there and was not detected yet. Looking at a
-/// cell for t seconds at rate r leaves exp(-r t) of its mass, whoever looks and in whatever order.
+/// cell for t seconds at rate r leaves exp(-r t) of its mass, whoever looks and in whatever order. What a person says
+/// of where the object may be reweights the prior; what they say of what was searched changes exposures. So the mass
+/// always is weighted prior times exp(-exposure), and mass and what has been detected away add up to 1.
 class SearchBelief {
  public:
   /// `prior` adds up to 1.
@@ -17,7 +19,15 @@ class SearchBelief {
 
   /// Agent number `agent` has looked at `view` for `duration_s` [s] without finding anything.
   void look(std::size_t agent, const View& view, double detection_rate_per_s, double duration_s);
+  /// From now on an object is `weight` (> 0) times as likely in each of `cells` as the prior says, before normalising.
+  /// It takes the place of a weight given before.
+  void weigh(const std::vector<int>& cells, double weight);
+  /// Agent number `agent` has looked at `cells` with at least this `exposure`, unseen by anybody.
+  void claim_look(std::size_t agent, const std::vector<int>& cells, double exposure);
+  /// Nobody has looked at `cells` after all; weights below 1 do not count there any more either.
+  void look_again(const std::vector<int>& cells);
 
+  [[nodiscard]] const std::vector<double>& prior() const { return prior_; }
   [[nodiscard]] const std::vector<double>& mass() const { return mass_; }
   /// That the object was not detected yet.
   [[nodiscard]] double probability_left() const;
@@ -31,6 +41,10 @@ class SearchBelief {
   [[nodiscard]] int first_seen_by(int cell) const { return first_seen_by_[static_cast<std::size_t>(cell)]; }
 
  private:
+  void renew_mass();
+
+  std::vector<double> prior_;
+  std::vector<double> weight_;
   std::vector<double> mass_;
   std::vector<double> exposure_;
   std::vector<int> first_seen_by_;

@@ -1,89 +1,69 @@
 #include "services/planner/core/srs/boundary.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace tandem {
 namespace {
 
-using Eigen::Vector2d;
-
-constexpr double kOnBoundary_m = 1e-12;
-
-double cross(const Vector2d& a, const Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-double distance_to_edge(const Vector2d& a, const Vector2d& b, const Vector2d& point) {
-  const Vector2d edge = b - a;
-  const double length2 = edge.squaredNorm();
-  const double share = length2 > 0.0 ? std::clamp((point - a).dot(edge) / length2, 0.0, 1.0) : 0.0;
-  return (a + share * edge - point).norm();
-}
-
-double signed_distance_to(const Disc& disc, const Vector2d& point) {
-  return (point - disc.centre_in_map).norm() - disc.radius_m;
-}
-
-double signed_distance_to(const Polygon& polygon, const Vector2d& point) {
-  const auto& corners = polygon.corners_in_map;
-  double distance = std::numeric_limits<double>::infinity();
-  bool inside = false;
-  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-    const Vector2d& a = corners[i];
-    const Vector2d& b = corners[j];
-    distance = std::min(distance, distance_to_edge(a, b, point));
-    if ((a.y() > point.y()) != (b.y() > point.y()) &&
-        point.x() < (b.x() - a.x()) * (point.y() - a.y()) / (b.y() - a.y()) + a.x()) {
-      inside = !inside;
+struct ProblemOf {
+  using Answer = std::optional<std::string>;
+  Answer operator()(const Nowhere&) const { return std::nullopt; }
+  Answer operator()(const Disc& shape) const { return problem_of(PlanarShape{shape}); }
+  Answer operator()(const Polygon& shape) const { return problem_of(PlanarShape{shape}); }
+  Answer operator()(const Corridor& shape) const { return problem_of(PlanarShape{shape}); }
+  Answer operator()(const HalfPlane& shape) const { return problem_of(PlanarShape{shape}); }
+  Answer operator()(const NamedArea& area) const {
+    const auto problem = problem_of(PlanarShape{area.outline});
+    return problem ? Answer{"area " + area.name + ": " + *problem} : std::nullopt;
+  }
+  Answer operator()(const Attached& attached) const { return problem_of(attached.shape_in_agent); }
+  Answer operator()(const Between& between) const {
+    if (!between.from.point_in_map.allFinite() || !between.to.point_in_map.allFinite() ||
+        !std::isfinite(between.half_width_m)) {
+      return "its numbers must be finite";
     }
+    if (!(between.half_width_m > 0.0)) return "half_width_m must be greater than 0";
+    if (between.from == between.to) return "its two ends are the same: the corridor has no length";
+    return std::nullopt;
   }
-  return inside ? -distance : distance;
-}
-
-void add_crossings(const Disc& disc, const Vector2d& from, const Vector2d& to, std::vector<double>& shares) {
-  const Vector2d way = to - from;
-  const Vector2d offset = from - disc.centre_in_map;
-  const double a = way.squaredNorm();
-  const double half_b = offset.dot(way);
-  const double c = offset.squaredNorm() - disc.radius_m * disc.radius_m;
-  const double discriminant = half_b * half_b - a * c;
-  if (a == 0.0 || discriminant < 0.0) return;
-  const double root = std::sqrt(discriminant);
-  shares.push_back((-half_b - root) / a);
-  shares.push_back((-half_b + root) / a);
-}
-
-void add_crossings(const Polygon& polygon, const Vector2d& from, const Vector2d& to, std::vector<double>& shares) {
-  const auto& corners = polygon.corners_in_map;
-  const Vector2d way = to - from;
-  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-    const Vector2d edge = corners[i] - corners[j];
-    const double parallel = cross(way, edge);
-    if (parallel == 0.0) continue;
-    const Vector2d offset = corners[j] - from;
-    const double on_edge = cross(offset, way) / parallel;
-    if (on_edge >= 0.0 && on_edge <= 1.0) shares.push_back(cross(offset, edge) / parallel);
+  Answer operator()(const SpeedInterval& speeds) const {
+    if (!(speeds.min_mps >= 0.0) || !(speeds.max_mps > speeds.min_mps)) {
+      return "min_mps must not be negative, and max_mps greater";
+    }
+    return std::nullopt;
   }
-}
+  Answer operator()(const Sphere& sphere) const {
+    if (!sphere.centre_in_map.allFinite() || !std::isfinite(sphere.radius_m)) return "its numbers must be finite";
+    if (!(sphere.radius_m > 0.0)) return "radius_m must be greater than 0";
+    return std::nullopt;
+  }
+  Answer operator()(const Box& box) const {
+    if (!box.low_in_map.allFinite() || !box.high_in_map.allFinite()) return "its numbers must be finite";
+    if (!(box.low_in_map.array() < box.high_in_map.array()).all()) return "each number of high must be above low's";
+    return std::nullopt;
+  }
+};
 
 }  // namespace
 
-double signed_distance(const Boundary& boundary, const Vector2d& point_in_map) {
-  return std::visit([&](const auto& shape) { return signed_distance_to(shape, point_in_map); }, boundary);
+SearchSpace search_space_of(const Boundary& boundary) {
+  if (std::holds_alternative<Nowhere>(boundary)) return SearchSpace::None;
+  if (std::holds_alternative<SpeedInterval>(boundary)) return SearchSpace::Speed;
+  if (std::holds_alternative<Sphere>(boundary) || std::holds_alternative<Box>(boundary)) return SearchSpace::Volume;
+  return SearchSpace::Plane;
 }
 
-bool contains(const Boundary& boundary, const Vector2d& point_in_map) {
-  return signed_distance(boundary, point_in_map) <= kOnBoundary_m;
+std::optional<PlanarShape> shape_in_map(const Boundary& boundary) {
+  if (const auto* disc = std::get_if<Disc>(&boundary)) return *disc;
+  if (const auto* polygon = std::get_if<Polygon>(&boundary)) return *polygon;
+  if (const auto* corridor = std::get_if<Corridor>(&boundary)) return *corridor;
+  if (const auto* half_plane = std::get_if<HalfPlane>(&boundary)) return *half_plane;
+  if (const auto* area = std::get_if<NamedArea>(&boundary)) return area->outline;
+  return std::nullopt;
 }
 
-std::vector<double> crossings(const Boundary& boundary, const Vector2d& from_in_map, const Vector2d& to_in_map) {
-  std::vector<double> shares;
-  std::visit([&](const auto& shape) { add_crossings(shape, from_in_map, to_in_map, shares); }, boundary);
-  std::erase_if(shares, [](double share) { return share < 0.0 || share > 1.0; });
-  std::sort(shares.begin(), shares.end());
-  return shares;
+std::optional<std::string> problem_of(const Boundary& boundary) {
+  return std::visit(ProblemOf{}, boundary);
 }
 
 }  // namespace tandem

@@ -4,148 +4,193 @@
 #include <cassert>
 #include <cmath>
 
+#include "services/planner/core/srs/event_expectation.hpp"
+
 namespace tandem {
 namespace {
 
-using Eigen::Vector2d;
-
-constexpr double kEmpty = 1e-12;
-constexpr int kOuterSteps = 64;  ///< of Simpson's rule outside a boundary; even
-
-Vector2d position_at(const AgentMove& move, double share) {
-  return move.from_in_map + share * (move.to_in_map - move.from_in_map);
-}
-
-/// The reward outside a boundary from share `a` to share `b` of a move that lasts `duration_s`.
-double outer_reward(const RewardSource& source, const AgentMove& move, double a, double b, double duration_s) {
-  double sum = rate_at(source, position_at(move, a)) + rate_at(source, position_at(move, b));
-  for (int i = 1; i < kOuterSteps; ++i) {
-    sum += (i % 2 == 1 ? 4.0 : 2.0) * rate_at(source, position_at(move, a + (b - a) * i / kOuterSteps));
-  }
-  return sum * (b - a) * duration_s / (3.0 * kOuterSteps);
-}
-
-bool draws_on_pool(const RewardSource& source) {
-  return std::isfinite(source.pool) && source.pool * source.rate_per_s > 0.0;
-}
+constexpr double kEmpty = 1e-12;  ///< the share of a pool below which nothing is left
+constexpr std::size_t kUnwatched = DrawList::Step::kNone;
 
 }  // namespace
 
-struct RewardAccount::Draw {
-  std::size_t source = 0;
-  std::size_t agent = 0;
-  double rate_per_s = 0.0;
-};
+RewardAccount::RewardAccount(const ResolvedWorld& world) : world_(&world), state_(initial_state(world)) {}
 
-RewardAccount::RewardAccount(const RewardWorld& world) : world_(world), consumed_(world.sources.size(), false) {
-  assert(!problem_of(world));
-  for (const auto& source : world.sources) left_.push_back(std::abs(source.pool));
-}
-
-void RewardAccount::consume(std::size_t source) {
-  left_[source] = 0.0;
-  consumed_[source] = true;
+void RewardAccount::record_to(RewardRecord* record) {
+  record_ = record;
+  if (record_ != nullptr) record_->paid.resize(world_->sources().size() * world_->agent_count(), 0.0);
 }
 
 double RewardAccount::left(std::size_t source) const {
-  return std::copysign(left_[source], world_.sources[source].pool);
+  const std::size_t pool = world_->sources()[source].pool;
+  return std::copysign(state_.left[pool], world_->pools()[pool].size);
 }
 
-bool RewardAccount::pays(std::size_t source, const std::string& agent) const {
-  const RewardSource& the_source = world_.sources[source];
-  if (!is_target(the_source, agent) || (draws_on_pool(the_source) && left_[source] <= kEmpty)) return false;
-  for (const auto& relation : world_.relations) {
-    if (relation.kind == RelationKind::Strict && relation.to == the_source.id &&
-        !consumed_[*index_of(world_, relation.from)]) {
-      return false;
-    }
-    if (relation.kind == RelationKind::Soft && relation.from == the_source.id &&
-        consumed_[*index_of(world_, relation.to)] &&
-        (relation.agents.empty() || std::ranges::find(relation.agents, agent) != relation.agents.end())) {
-      return false;
-    }
-  }
-  return true;
+double RewardAccount::drawn(std::size_t source) const {
+  return state_.drawn[world_->sources()[source].pool];
 }
 
-std::vector<double> RewardAccount::advance(const std::vector<AgentMove>& moves, double duration_s) {
-  assert(duration_s >= 0.0);
-  std::vector<double> rewards(moves.size(), 0.0);
-  std::vector<double> shares{0.0, 1.0};
-  for (const auto& source : world_.sources) {
-    for (const auto& move : moves) {
-      const auto more = crossings(source.boundary, move.from_in_map, move.to_in_map);
-      shares.insert(shares.end(), more.begin(), more.end());
-    }
-  }
-  std::sort(shares.begin(), shares.end());
-  for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
-    if (shares[i + 1] > shares[i])
-      drain(moves, duration_s, shares[i] * duration_s, shares[i + 1] * duration_s, rewards);
-  }
-  return rewards;
+bool RewardAccount::is_consumed(std::size_t source) const {
+  return state_.left[world_->sources()[source].pool] == 0.0;
 }
 
-/// Nobody crosses a boundary between `from_s` and `to_s`; only pools that run dry change the rates.
-void RewardAccount::drain(const std::vector<AgentMove>& moves, double duration_s, double from_s, double to_s,
-                          std::vector<double>& rewards) {
-  const double middle = 0.5 * (from_s + to_s) / duration_s;
-  const std::size_t count = world_.sources.size();
-  double now_s = from_s;
-  while (now_s < to_s) {
-    std::vector<Draw> draws;
-    std::vector<double> outflow_per_s(count, 0.0);  // own draws on the pool
-    for (std::size_t s = 0; s < count; ++s) {
-      const RewardSource& source = world_.sources[s];
-      for (std::size_t a = 0; a < moves.size(); ++a) {
-        if (!pays(s, moves[a].agent)) continue;
-        const bool inside = contains(source.boundary, position_at(moves[a], middle));
-        if (!inside && source.outer_rate_per_s == 0.0) continue;
-        draws.push_back({s, a, inside ? source.rate_per_s : 0.0});
-        if (inside && draws_on_pool(source)) outflow_per_s[s] += std::abs(source.rate_per_s);
-      }
-    }
-    std::vector<double> steady_per_s(count, 0.0);  // with what codependent sources take
-    for (std::size_t s = 0; s < count; ++s) {
-      if (world_.sources[s].flow == Flow::Steady) steady_per_s[s] += outflow_per_s[s];
-    }
-    for (const auto& relation : world_.relations) {
-      if (relation.kind != RelationKind::Codependent) continue;
-      const std::size_t i = *index_of(world_, relation.from);
-      const std::size_t j = *index_of(world_, relation.to);
-      if (world_.sources[i].flow == Flow::Steady) steady_per_s[j] += relation.coupling * outflow_per_s[i];
-      if (world_.sources[j].flow == Flow::Steady) steady_per_s[i] += relation.coupling * outflow_per_s[j];
-    }
-    double step_s = to_s - now_s;
-    for (std::size_t s = 0; s < count; ++s) {
-      if (steady_per_s[s] > 0.0 && left_[s] > kEmpty) step_s = std::min(step_s, left_[s] / steady_per_s[s]);
-    }
-    std::vector<double> share_paid(count, 0.0);
-    for (std::size_t s = 0; s < count; ++s) {
-      if (world_.sources[s].flow == Flow::Proportional && outflow_per_s[s] > 0.0) {
-        share_paid[s] = left_[s] * -std::expm1(-outflow_per_s[s] * step_s) / outflow_per_s[s];
-      }
-    }
-    for (const Draw& draw : draws) {
-      const RewardSource& source = world_.sources[draw.source];
-      if (draw.rate_per_s == 0.0) {
-        rewards[draw.agent] +=
-            outer_reward(source, moves[draw.agent], now_s / duration_s, (now_s + step_s) / duration_s, duration_s);
-      } else {
-        rewards[draw.agent] += draw.rate_per_s * (source.flow == Flow::Proportional ? share_paid[draw.source] : step_s);
-      }
-    }
-    for (std::size_t s = 0; s < count; ++s) {
-      if (!std::isfinite(left_[s])) continue;
-      left_[s] -= steady_per_s[s] * step_s + share_paid[s] * outflow_per_s[s];
-      if (left_[s] <= kEmpty * std::max(1.0, std::abs(world_.sources[s].pool))) {
-        left_[s] = 0.0;
-        consumed_[s] = true;
-      }
-    }
-    now_s = step_s > 0.0 ? now_s + step_s : to_s;
-    if (to_s - now_s < 1e-12) break;
+bool RewardAccount::can_pay(std::size_t source, std::size_t agent) const {
+  const ResolvedSource& one = world_->sources()[source];
+  return (one.targets & mask_of(agent)) != 0 && state_.left[one.pool] > 0.0 &&
+         !is_silenced(one, agent, *world_, state_);
+}
+
+bool RewardAccount::is_open(std::size_t source, std::size_t agent) const {
+  const ResolvedSource& one = world_->sources()[source];
+  return (one.targets & mask_of(agent)) != 0 && is_opened(one, state_) && !is_silenced(one, agent, *world_, state_);
+}
+
+void RewardAccount::consume(std::size_t source) {
+  const std::size_t pool = world_->sources()[source].pool;
+  const ResolvedPool& the_pool = world_->pools()[pool];
+  if (state_.left[pool] == 0.0) return;
+  draws_.clear();
+  const double amount = std::isfinite(the_pool.size) ? state_.left[pool] : 0.0;
+  state_.left[pool] = 0.0;
+  if (std::isfinite(the_pool.size)) state_.drawn[pool] = std::abs(the_pool.size);
+  note(RewardEvent::Kind::Consumed, pool, state_.time_s);
+  for (const std::size_t gate : the_pool.gates) {
+    if (state_.through[gate] == 0) note(RewardEvent::Kind::Triggered, pool, state_.time_s);
+    state_.through[gate] = 1;
   }
+  for (const auto& coupling : the_pool.couplings) {
+    take_from_pool(coupling.pool, std::min(coupling.coupling * amount, state_.left[coupling.pool]), state_.time_s);
+  }
+}
+
+void RewardAccount::advance(std::span<const AgentMove> moves, double duration_s, std::span<double> rewards) {
+  run({moves, duration_s}, kUnwatched, rewards);
+}
+
+double RewardAccount::advance_until_consumed(std::size_t source, std::span<const AgentMove> moves, double duration_s,
+                                             std::span<double> rewards) {
+  return run({moves, duration_s}, world_->sources()[source].pool, rewards);
+}
+
+double RewardAccount::run(const JointMove& joint, std::size_t watched_pool, std::span<double> rewards) {
+  assert(joint.moves.size() == world_->agent_count() && rewards.size() == joint.moves.size());
+  assert(joint.duration_s >= 0.0);
+  double now_s = 0.0;
+  const auto is_over = [&] { return watched_pool != kUnwatched && state_.left[watched_pool] == 0.0; };
+  if (joint.duration_s > 0.0 && !is_over()) {
+    draws_.begin_move(*world_, state_, joint);
+    const auto& shares = draws_.shares();
+    for (std::size_t i = 0; i + 1 < shares.size() && !is_over(); ++i) {
+      if (shares[i + 1] > shares[i]) now_s = run_part(joint, shares[i], shares[i + 1], watched_pool, rewards);
+    }
+  }
+  state_.time_s += now_s;
+  return now_s;
+}
+
+/// Gives the time of the joint move at which it ended.
+double RewardAccount::run_part(const JointMove& joint, double from_share, double to_share, std::size_t watched_pool,
+                               std::span<double> rewards) {
+  draws_.begin_part(*world_, joint, from_share, to_share);
+  double now_s = from_share * joint.duration_s;
+  const double end_s = to_share * joint.duration_s;
+  while (now_s < end_s) {
+    draws_.begin_step(*world_, state_);
+    if (open_on_entry(state_.time_s + now_s)) continue;
+    const DrawList::Step step = draws_.longest_step(*world_, state_, joint, now_s, end_s);
+    pay(joint, now_s, step, rewards);
+    take(step, state_.time_s + now_s + step.length_s);
+    if (step.ended_by == DrawList::Step::kNone) return end_s;
+    now_s += step.length_s;
+    if (watched_pool != kUnwatched && state_.left[watched_pool] == 0.0) return now_s;
+  }
+  return end_s;
+}
+
+/// Gates that wait for an entry and get one now; whether there were any.
+bool RewardAccount::open_on_entry(double time_s) {
+  bool opened = false;
+  for (const auto& contact : draws_.contacts()) {
+    if (!contact.inside || !is_open(contact.source, contact.agent)) continue;
+    for (const std::size_t gate : world_->pools()[contact.pool].gates) {
+      if (!world_->gates()[gate].on_entry || state_.through[gate] != 0) continue;
+      state_.through[gate] = 1;
+      opened = true;
+      if (record_ != nullptr) {
+        record_->events.push_back({RewardEvent::Kind::Triggered, contact.source, time_s, mask_of(contact.agent)});
+      }
+    }
+  }
+  return opened;
+}
+
+void RewardAccount::pay(const JointMove& joint, double now_s, const DrawList::Step& step, std::span<double> rewards) {
+  const EventExpectation expectation{*world_, state_, draws_, now_s};
+  for (auto& draw : draws_.draws()) {
+    const ResolvedSource& source = world_->sources()[draw.source];
+    double reward = 0.0;
+    if (source.flow == Flow::Proportional) {
+      const double outflow_per_s = draws_.outflow_per_s(draw.pool);
+      reward = state_.left[draw.pool] * -std::expm1(-outflow_per_s * step.length_s) * draw.per_s / outflow_per_s;
+      draw.amount = reward;
+    } else {
+      reward = draws_.steady_amount(draw, *world_, joint, now_s, step.length_s);
+      draw.amount = std::abs(reward);
+      if (expectation.concerns(draw)) reward = expectation.expected_amount(draw, joint, step.length_s);
+    }
+    reward *= source.worth[draw.agent];
+    rewards[draw.agent] += reward;
+    if (record_ != nullptr) record_->paid[draw.source * world_->agent_count() + draw.agent] += reward;
+  }
+}
+
+/// Takes from the pools what was drawn from them in the step.
+void RewardAccount::take(const DrawList::Step& step, double time_s) {
+  for (const std::size_t pool : draws_.pools()) {
+    double amount = 0.0;
+    for (const auto& draw : draws_.draws()) {
+      if (draw.takes && draw.pool == pool) amount += draw.amount;
+      if (!draw.takes) continue;
+      for (const auto& coupling : world_->pools()[draw.pool].couplings) {
+        if (coupling.pool == pool) amount += coupling.coupling * draw.amount;
+      }
+    }
+    for (const std::size_t event : world_->pools()[pool].feeds) state_.drawn[event] += amount;
+    take_from_pool(pool, pool == step.ended_by ? step.amount : amount, time_s);
+  }
+}
+
+void RewardAccount::take_from_pool(std::size_t pool, double amount, double time_s) {
+  const double size = std::abs(world_->pools()[pool].size);
+  const bool was_empty = state_.left[pool] == 0.0;
+  state_.drawn[pool] += amount;
+  if (std::isfinite(size) && !was_empty) {
+    state_.left[pool] -= amount;
+    if (state_.left[pool] <= kEmpty * size) {
+      state_.left[pool] = 0.0;
+      state_.drawn[pool] = size;
+      note(RewardEvent::Kind::Exhausted, pool, time_s);
+    }
+  }
+  pass_gates(pool, time_s);
+}
+
+void RewardAccount::pass_gates(std::size_t pool, double time_s) {
+  for (const std::size_t gate : world_->pools()[pool].gates) {
+    const double amount = world_->gates()[gate].amount;
+    if (state_.through[gate] != 0 || state_.drawn[pool] < amount * (1.0 - kEmpty)) continue;
+    state_.through[gate] = 1;
+    note(RewardEvent::Kind::Triggered, pool, time_s);
+  }
+}
+
+void RewardAccount::note(RewardEvent::Kind kind, std::size_t pool, double time_s) {
+  if (record_ == nullptr) return;
+  RewardEvent event{kind, world_->pools()[pool].sources.front(), time_s, 0};
+  for (const auto& draw : draws_.draws()) {
+    if (draw.pool == pool && draw.takes) event.agents |= mask_of(draw.agent);
+  }
+  record_->events.push_back(event);
 }
 
 }  // namespace tandem

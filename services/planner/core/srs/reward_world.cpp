@@ -1,58 +1,69 @@
 #include "services/planner/core/srs/reward_world.hpp"
 
-#include <cmath>
-#include <set>
+#include <algorithm>
 
 namespace tandem {
-namespace {
 
-/// Takes away sources that wait for nobody until none is left; what remains waits in a circle.
-bool has_strict_circle(const RewardWorld& world) {
-  std::set<std::string> waiting;
-  for (const auto& source : world.sources) waiting.insert(source.id);
-  bool shrinking = true;
-  while (shrinking) {
-    shrinking = false;
-    for (auto it = waiting.begin(); it != waiting.end();) {
-      bool waits = false;
-      for (const auto& relation : world.relations) {
-        waits |= relation.kind == RelationKind::Strict && relation.to == *it && waiting.contains(relation.from);
-      }
-      shrinking |= !waits;
-      it = waits ? std::next(it) : waiting.erase(it);
-    }
-  }
-  return !waiting.empty();
+std::optional<std::size_t> index_of(const RewardWorld& world, const std::string& source_id) {
+  const auto found = std::ranges::find(world.sources, source_id, &RewardSource::id);
+  if (found == world.sources.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - world.sources.begin());
 }
 
-}  // namespace
-
-std::optional<std::size_t> index_of(const RewardWorld& world, const std::string& id) {
-  for (std::size_t i = 0; i < world.sources.size(); ++i) {
-    if (world.sources[i].id == id) return i;
-  }
-  return std::nullopt;
+std::optional<std::size_t> agent_index_of(const RewardWorld& world, const std::string& agent) {
+  const auto found = std::ranges::find(world.agents, agent);
+  if (found == world.agents.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - world.agents.begin());
 }
 
-std::optional<std::string> problem_of(const RewardWorld& world) {
-  std::set<std::string> ids;
-  for (const auto& source : world.sources) {
-    if (!ids.insert(source.id).second) return "two sources are called " + source.id;
-    if (source.outer_rate_per_s != 0.0 && std::isfinite(source.pool)) {
-      return source.id + " pays outside its boundary and has a limited pool";
-    }
-    if (source.flow == Flow::Proportional && !std::isfinite(source.pool)) {
-      return source.id + " pays in proportion to an unlimited pool";
-    }
+const SourceGroup* group_of(const RewardWorld& world, const std::string& source_id) {
+  for (const auto& group : world.groups) {
+    if (std::ranges::count(group.members, source_id) > 0) return &group;
   }
-  for (const auto& relation : world.relations) {
-    for (const auto& id : {relation.from, relation.to}) {
-      if (!ids.contains(id)) return "a relation names the unknown source " + id;
-    }
-    if (relation.coupling < 0.0 || relation.coupling > 1.0) return "a coupling is outside [0, 1]";
+  return nullptr;
+}
+
+std::optional<WorldProblem> add_source(RewardWorld& world, const RewardSource& source) {
+  world.sources.push_back(source);
+  const auto problem = problem_of(world);
+  if (problem) {
+    world.sources.pop_back();
+  } else {
+    ++world.version;
   }
-  if (has_strict_circle(world)) return "strict relations form a circle";
-  return std::nullopt;
+  return problem;
+}
+
+std::optional<WorldProblem> add_relation(RewardWorld& world, const Relation& relation) {
+  world.relations.push_back(relation);
+  const auto problem = problem_of(world);
+  if (problem) {
+    world.relations.pop_back();
+  } else {
+    ++world.version;
+  }
+  return problem;
+}
+
+bool remove_source(RewardWorld& world, const std::string& source_id) {
+  const auto index = index_of(world, source_id);
+  if (!index) return false;
+  world.sources.erase(world.sources.begin() + static_cast<std::ptrdiff_t>(*index));
+  std::erase_if(world.relations,
+                [&](const Relation& relation) { return relation.from == source_id || relation.to == source_id; });
+  for (auto& group : world.groups) std::erase(group.members, source_id);
+  std::erase_if(world.groups, [](const SourceGroup& group) { return group.members.empty(); });
+  for (auto& unaware : world.unawareness) std::erase(unaware.sources, source_id);
+  ++world.version;
+  return true;
+}
+
+bool remove_relation(RewardWorld& world, RelationKind kind, const std::string& from, const std::string& to) {
+  const auto removed = std::erase_if(world.relations, [&](const Relation& relation) {
+    return relation.kind == kind && relation.from == from && relation.to == to;
+  });
+  if (removed > 0) ++world.version;
+  return removed > 0;
 }
 
 }  // namespace tandem

@@ -1,5 +1,6 @@
 #include "services/planner/core/srs/search_sources.hpp"
 
+#include <limits>
 #include <utility>
 
 namespace tandem {
@@ -11,7 +12,7 @@ RewardSource search_cell_source(const std::string& id, const Boundary& visible_f
   source.meaning = "the object may lie here";
   source.boundary = visible_from;
   source.flow = Flow::Proportional;
-  source.rate_per_s = detection_rate_per_s;
+  source.inside = constant_ratio(detection_rate_per_s);
   source.pool = joint_mass;
   return source;
 }
@@ -20,8 +21,18 @@ RewardSource found_event() {
   RewardSource source;
   source.id = kFoundId;
   source.meaning = "the object is found";
-  source.boundary = Disc{};
   source.pool = 1.0;
+  return source;
+}
+
+RewardSource time_cost_source(const std::string& agent, double cost_per_s) {
+  RewardSource source;
+  source.id = "time_of_" + agent;
+  source.kind = SourceKind::Action;
+  source.meaning = "the time of " + agent;
+  source.boundary = SpeedInterval{0.0, std::numeric_limits<double>::infinity()};
+  source.inside = constant_ratio(-cost_per_s);
+  source.targets = {agent};
   return source;
 }
 
@@ -30,16 +41,22 @@ RewardSource goal_source(const std::string& agent, const Eigen::Vector2d& point_
   source.id = "goal_" + agent;
   source.meaning = agent + " is asked to go here";
   source.boundary = Disc{point_in_map, reach_m};
-  source.rate_per_s = 1.0;
+  source.inside = constant_ratio(1.0);
   source.pool = 1.0;
   source.targets = {agent};
   return source;
 }
 
-RewardWorld search_world(std::vector<RewardSource> cells) {
+RewardWorld search_world(std::vector<std::string> agents, std::vector<RewardSource> until_found) {
   RewardWorld world;
-  for (const auto& cell : cells) world.relations.push_back({RelationKind::Soft, cell.id, kFoundId, 1.0, {}});
-  world.sources = std::move(cells);
+  world.agents = std::move(agents);
+  for (const auto& source : until_found) {
+    Relation relation;
+    relation.from = source.id;
+    relation.to = kFoundId;
+    world.relations.push_back(relation);
+  }
+  world.sources = std::move(until_found);
   world.sources.push_back(found_event());
   return world;
 }

@@ -27,8 +27,8 @@ class Planner {
   [[nodiscard]] virtual int rollouts() const = 0;
   /// The best plan so far.
   [[nodiscard]] virtual JointPlan best() = 0;
-  /// Whether members are to tell each other what they have looked at. If not, each is to be planned for alone, from what
-  /// it has seen itself.
+  /// Whether members are to tell each other what they have looked at. If not, each is to be planned for alone, from
+  /// what it has seen itself.
   [[nodiscard]] virtual bool shares_looks() const { return true; }
   /// Whether a plan gets better by being made anew while everybody is still under way. If not, it is to be walked until
   /// the first path ends.

@@ -73,7 +73,7 @@ void PreparedProblem::add_looks(std::size_t member, const std::vector<int>& plac
   }
 }
 
-TimedPath PreparedProblem::path(std::size_t member, const std::vector<int>& places) const {
+TimedPath PreparedProblem::path(std::size_t member, const std::vector<int>& places, double until_s) const {
   const Member& who = members_[member];
   TimedPath path = problem_.members[member].committed;
   if (who.start < 0) {
@@ -85,6 +85,7 @@ TimedPath PreparedProblem::path(std::size_t member, const std::vector<int>& plac
   double heading_rad = who.heading_rad;
   int from = who.start;
   for (const int place : places) {
+    if (time_s > until_s) break;
     const Leg& leg = who.actions->leg(from, place);
     if (!leg.possible()) continue;
     time_s += turning_time_s(who.actions->searcher(), heading_rad, leg.initial_heading_rad);

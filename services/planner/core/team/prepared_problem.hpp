@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -36,8 +37,9 @@ class PreparedProblem {
   [[nodiscard]] const std::vector<Look>& fixed_looks() const { return fixed_looks_; }
   /// What `member` sees on its way to these places, appended to `looks`. Impossible legs are left out.
   void add_looks(std::size_t member, const std::vector<int>& places, std::vector<Look>& looks) const;
-  /// `committed`, then the way to these places.
-  [[nodiscard]] TimedPath path(std::size_t member, const std::vector<int>& places) const;
+  /// `committed`, then the way to these places; no more of them than are reached by `until_s`.
+  [[nodiscard]] TimedPath path(std::size_t member, const std::vector<int>& places,
+                               double until_s = std::numeric_limits<double>::infinity()) const;
   /// The plan of these routes, with its value.
   [[nodiscard]] JointPlan plan(const Routes& routes) const;
 

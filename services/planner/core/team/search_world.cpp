@@ -33,6 +33,7 @@ SearchWorld::SearchWorld(std::vector<OccupancyGrid> layers, SearchWorldOptions o
     capability.views = std::make_unique<ViewTable>(observability(searcher.layer), searcher);
     capability.actions = std::make_unique<ActionSet>(map(searcher.layer), *capability.views, capability.options,
                                                      options_.area.start_in_map);
+    capability.book = std::make_unique<LegBook>(*capability.actions);
     capabilities_.push_back(std::move(capability));
   }
 }
@@ -41,14 +42,18 @@ void SearchWorld::block(int searcher, const std::vector<BlockedDisc>& blocked, c
   Capability& capability = capability_of(searcher);
   capability.actions = std::make_unique<ActionSet>(map(capability.searcher.layer), *capability.views,
                                                    capability.options, start_in_map, blocked);
+  capability.book = std::make_unique<LegBook>(*capability.actions);
 }
 
 bool SearchWorld::prepare_next() {
-  return std::ranges::any_of(capabilities_, [](Capability& known) { return known.actions->prepare_next(); });
+  return std::ranges::any_of(capabilities_, [](Capability& known) { return known.book->prepare_next(); });
 }
 
 void SearchWorld::forget_added_places() {
-  for (Capability& capability : capabilities_) capability.actions->forget_added_places();
+  for (Capability& capability : capabilities_) {
+    capability.actions->forget_added_places();
+    capability.book->forget_added_places();
+  }
 }
 
 double SearchWorld::sweep_time_s(const std::vector<int>& searchers) const {

@@ -5,6 +5,7 @@
 
 #include "services/planner/core/motion/action_set.hpp"
 #include "services/planner/core/search/search_area.hpp"
+#include "services/planner/core/team/leg_book.hpp"
 
 namespace tandem {
 
@@ -45,6 +46,8 @@ class SearchWorld {
   [[nodiscard]] ViewTable& views(int searcher) { return *capability_of(searcher).views; }
   /// Shared by all of one capability.
   [[nodiscard]] ActionSet& actions(int searcher) { return *capability_of(searcher).actions; }
+  /// The legs of actions() in short.
+  [[nodiscard]] LegBook& book(int searcher) { return *capability_of(searcher).book; }
   /// The time these searchers would need to sweep the area once, each at its speed with its widest view [s].
   [[nodiscard]] double sweep_time_s(const std::vector<int>& searchers) const;
 
@@ -54,6 +57,7 @@ class SearchWorld {
     ActionSetOptions options;
     std::unique_ptr<ViewTable> views;
     std::unique_ptr<ActionSet> actions;
+    std::unique_ptr<LegBook> book;
   };
   [[nodiscard]] Capability& capability_of(int searcher) {
     return capabilities_[capability_index_[static_cast<std::size_t>(searcher)]];

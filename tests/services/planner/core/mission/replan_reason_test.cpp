@@ -26,6 +26,15 @@ TEST(ReplanReason, WithoutAPlanThatStandsThereIsAlwaysOne) {
   }
 }
 
+TEST(ReplanReason, WhatThePersonSaysCannotWait) {
+  PlanSituation situation = under_way();
+  situation.age_s = 0.0;
+  situation.person_drew = true;
+  EXPECT_EQ(replan_reason(situation, {}), "the person drew on the map");
+  situation.person_said_where = true;
+  EXPECT_EQ(replan_reason(situation, {}), "the person knows something of where it is");
+}
+
 TEST(ReplanReason, ABlockedPathCannotWait) {
   PlanSituation situation = under_way();
   situation.age_s = 0.0;

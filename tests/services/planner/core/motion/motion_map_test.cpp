@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/services/planner/support/room.hpp"
 
 namespace tandem {
@@ -55,6 +57,20 @@ TEST(MotionMap, ARobotDoesNotFitThroughAGapForAPerson) {
   };
   EXPECT_TRUE(fits(person));
   EXPECT_FALSE(fits(robot));
+}
+
+TEST(MotionMap, TheNearestPlaceIsFoundHoweverFarOneLooks) {
+  const OccupancyGrid map = empty_room(4, 4);
+  const MotionMap motion(map, {});
+  const auto nearby = motion.nearest_node({2, 2}, 1.0);
+  ASSERT_TRUE(nearby);
+  EXPECT_EQ(motion.nearest_node({2, 2}, 1e9), nearby);
+  EXPECT_EQ(motion.nearest_node({2, 2}, std::numeric_limits<double>::infinity()), nearby);
+  EXPECT_FALSE(motion.nearest_node({2, -30}, 10.0));
+  const auto from_far = motion.nearest_node({2, -30}, 100.0);
+  ASSERT_TRUE(from_far);
+  EXPECT_NEAR(motion.point(*from_far).x(), 2.0, 0.3);
+  EXPECT_LT(motion.point(*from_far).y(), 1.0);
 }
 
 TEST(MotionMap, ABlockedPlaceIsAvoided) {

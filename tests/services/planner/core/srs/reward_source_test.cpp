@@ -7,12 +7,18 @@
 namespace tandem {
 namespace {
 
-TEST(RewardSource, T1PaysTheInnerRateOnItsBoundaryAndFadesOutside) {
-  RewardSource source = disc_source("s", {0, 0}, 2.0, 3.0);
-  source.outer_rate_per_s = -1.0;
+TEST(RewardSource, ThePoolOfAConsumptionTimeLastsThatLongWhereItPaysMost) {
+  const RewardRatio ratio{RatioShape::Ramp, 1.0, 4.0, 2.0, {}};
+  EXPECT_DOUBLE_EQ(pool_of_consumption(ratio, 3.0), 12.0);
+  EXPECT_DOUBLE_EQ(pool_of_consumption(constant_ratio(-2.0), 3.0), -6.0);
+}
 
-  EXPECT_DOUBLE_EQ(rate_at(source, {2, 0}), 3.0);
-  EXPECT_NEAR(rate_at(source, {5, 0}), -0.049787, 1e-6);  // -e^-3
+TEST(RewardSource, IsForEverybodyUnlessTargetsAreListed) {
+  RewardSource source = disc_source("s", {0, 0}, 1.0, 1.0);
+  EXPECT_TRUE(is_target(source, "a"));
+  source.targets = {"b"};
+  EXPECT_FALSE(is_target(source, "a"));
+  EXPECT_TRUE(is_target(source, "b"));
 }
 
 }  // namespace

@@ -1,0 +1,163 @@
+// The part of SearchMission that does what a person says of the belief or draws on the map, and finds ways around it.
+#include <algorithm>
+#include <utility>
+
+#include "services/planner/core/mission/computation.hpp"
+#include "services/planner/core/srs/search_sources.hpp"
+
+namespace tandem {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kStartReach_m = 3.0;
+
+}  // namespace
+
+std::optional<std::string> SearchMission::edit_belief(const BeliefEdit& edit) {
+  if (!running_ || !belief_) return "the search has not begun";
+  if (activity_ == MissionActivity::Finished) return "the search is over";
+  if (auto refusal = tandem::edit_belief(*belief_, world_->area(), edit, kPerson)) return refusal;
+  person_said_where_ = true;
+  computation_.reset();  // what was being computed did not know of this
+  ++world_version_;
+  return std::nullopt;
+}
+
+std::optional<std::string> SearchMission::edit_source(const SourceEdit& edit, Time now) {
+  if (auto problem = problem_of(edit, agents_)) return problem;
+  if (edit.kind == SourceEdit::Kind::Remove) return remove_source(edit.source_id);
+  if (!world_) return "the map is not known yet";
+  const auto current = sources();
+  if (std::ranges::find(current, edit.source_id, &RewardSource::id) != current.end() || edit.source_id == kFoundId) {
+    return "there is a source of this id already";
+  }
+  auto refusal = edit.kind == SourceEdit::Kind::GoTo ? go_to(edit, now) : keep_out(edit);
+  if (refusal) return refusal;
+  person_drew_ = true;
+  computation_.reset();
+  ++world_version_;
+  return std::nullopt;
+}
+
+std::vector<RewardSource> SearchMission::sources() const {
+  std::vector<RewardSource> sources;
+  for (const std::size_t member : {kRobot, kPerson}) {
+    if (goals_[member]) sources.push_back(goal_source(agents_[member], *goals_[member], config_.goal_reach_m));
+  }
+  for (const SourceEdit& drawn : drawn_) sources.push_back(drawn_source(drawn));
+  return sources;
+}
+
+std::vector<Relation> SearchMission::relations() const {
+  std::vector<Relation> relations;
+  for (const SourceEdit& drawn : drawn_) {
+    if (drawn.kind != SourceEdit::Kind::GoTo) continue;
+    Relation one_thing;
+    one_thing.kind = RelationKind::Codependent;
+    one_thing.from = drawn.source_id;
+    one_thing.to = goal_source(drawn.targets.front(), Vector2d::Zero(), config_.goal_reach_m).id;
+    relations.push_back(one_thing);
+  }
+  return relations;
+}
+
+bool SearchMission::concerns(const SourceEdit& edit, std::size_t member) const {
+  return edit.targets.empty() || std::ranges::find(edit.targets, agents_[member]) != edit.targets.end();
+}
+
+std::vector<BlockedDisc> SearchMission::kept_out_of(std::size_t member) const {
+  std::vector<BlockedDisc> discs;
+  for (const SourceEdit& drawn : drawn_) {
+    if (drawn.kind != SourceEdit::Kind::Avoid || !concerns(drawn, member)) continue;
+    const auto cover = covering_discs(drawn.region);
+    discs.insert(discs.end(), cover.begin(), cover.end());
+  }
+  return discs;
+}
+
+void SearchMission::find_ways_anew(std::size_t member, const std::vector<BlockedDisc>& blocked) {
+  const Vector2d start = seen_[seen_[member] ? member : kRobot]->map_from_agent.position();
+  world_->block(static_cast<int>(member), blocked, start);
+}
+
+bool SearchMission::gets_somewhere(std::size_t member) {
+  if (!seen_[member]) return true;
+  ActionSet& actions = world_->actions(static_cast<int>(member));
+  const auto start = actions.add_place(seen_[member]->map_from_agent.position(), kStartReach_m);
+  return start && !actions.nearest_lookouts(*start).empty();
+}
+
+/// Finds the robot's ways around what is blocked; if that shuts it in, it must try again through what was blocked.
+void SearchMission::find_ways_around_blockages() {
+  std::vector<BlockedDisc> discs = kept_out_of(kRobot);
+  for (const auto& entry : blocked_) discs.push_back(entry.second);
+  find_ways_anew(kRobot, discs);
+  ++world_version_;
+  if (discs.empty() || gets_somewhere(kRobot)) return;
+  blocked_.clear();
+  find_ways_anew(kRobot, kept_out_of(kRobot));
+}
+
+/// Finds the ways of those whom a drawn source concerns.
+void SearchMission::renew_ways(const SourceEdit& edit) {
+  if (edit.kind != SourceEdit::Kind::Avoid) return;
+  computation_.reset();  // it plans on the ways that change
+  if (concerns(edit, kRobot)) find_ways_around_blockages();
+  if (concerns(edit, kPerson)) find_ways_anew(kPerson, kept_out_of(kPerson));
+}
+
+std::optional<std::string> SearchMission::keep_out(const SourceEdit& edit) {
+  for (const std::size_t member : {kRobot, kPerson}) {
+    if (concerns(edit, member) && seen_[member] && contains(edit.region, seen_[member]->map_from_agent.position())) {
+      return agents_[member] + " stands there";
+    }
+  }
+  drawn_.push_back(edit);
+  renew_ways(edit);
+  for (const std::size_t member : {kRobot, kPerson}) {
+    if (!concerns(edit, member) || gets_somewhere(member)) continue;
+    drawn_.pop_back();
+    renew_ways(edit);
+    return agents_[member] + " would not get anywhere any more";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> SearchMission::go_to(const SourceEdit& edit, Time now) {
+  const bool is_robot = edit.targets.front() == agents_[kRobot];
+  const auto kind = is_robot ? PersonRequest::Kind::RobotGoal : PersonRequest::Kind::MyGoal;
+  if (auto refusal = request({kind, inner_point(edit.region)}, now)) return refusal;
+  drawn_.push_back(edit);
+  return std::nullopt;
+}
+
+std::optional<std::string> SearchMission::remove_source(const std::string& id) {
+  const auto found = std::ranges::find(drawn_, id, &SourceEdit::source_id);
+  if (found == drawn_.end()) return "nothing of this id is drawn";
+  const SourceEdit edit = *found;
+  drawn_.erase(found);
+  computation_.reset();
+  person_drew_ = true;
+  ++world_version_;
+  renew_ways(edit);
+  for (const std::size_t member : {kRobot, kPerson}) {
+    if (edit.kind == SourceEdit::Kind::GoTo && concerns(edit, member)) goals_[member].reset();
+  }
+  return std::nullopt;
+}
+
+/// Of places to go to only the last one counts, as of goals.
+void SearchMission::forget_drawn_goals(std::size_t member) {
+  std::erase_if(
+      drawn_, [&](const SourceEdit& drawn) { return drawn.kind == SourceEdit::Kind::GoTo && concerns(drawn, member); });
+}
+
+void SearchMission::forget_drawn() {
+  person_drew_ = false;
+  for (const SourceEdit& edit : std::exchange(drawn_, {})) {
+    if (world_) renew_ways(edit);
+  }
+}
+
+}  // namespace tandem

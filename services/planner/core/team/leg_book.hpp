@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "services/planner/core/motion/action_set.hpp"
+
+namespace tandem {
+
+/// A leg as the inner loops of planning read it: single precision, one array behind the other.
+struct CompactLeg {
+  float duration_s = 0.0F;
+  float initial_heading_rad = 0.0F;
+  float final_heading_rad = 0.0F;
+  bool possible = false;
+  std::vector<std::int32_t> cells;     ///< that come into view
+  std::vector<float> enter_s;          ///< when, from the beginning of the leg, ascending
+  std::vector<float> stay_s;           ///< for how long; empty if seen is found
+  std::vector<float> kept;             ///< the share of a cell's mass that is left then; empty if seen is found
+  std::vector<std::int32_t> end_view;  ///< in view at the end, while the agent turns; empty if it need not turn
+};
+
+/// The legs of one capability. Of a searcher to whom seen is found, what it has in view when a leg begins is left out:
+/// it saw that when it came, or from its start.
+class LegBook {
+ public:
+  /// `actions` must outlive it and must not forget its lookouts.
+  explicit LegBook(ActionSet& actions);
+
+  /// Finds the legs from one more lookout to those nearest to it ahead of need; false once all are there.
+  bool prepare_next();
+  /// Forgets the legs of places that were added for the last plan.
+  void forget_added_places();
+  /// The leg from one place to another; stays where it is until its places are forgotten.
+  [[nodiscard]] const CompactLeg& leg(int from, int to);
+  /// That leg if it was found already.
+  [[nodiscard]] const CompactLeg* known_leg(int from, int to) const;
+  [[nodiscard]] bool first_sight() const { return first_sight_; }
+  [[nodiscard]] ActionSet& actions() { return actions_; }
+
+ private:
+  struct Entry {
+    std::int32_t to;
+    const CompactLeg* leg;
+  };
+  [[nodiscard]] const CompactLeg& add(int from, int to);
+
+  ActionSet& actions_;
+  bool first_sight_ = false;
+  double rate_per_s_ = 0.0;
+  int prepared_ = 0;                                      ///< lookouts, from the first
+  bool dense_ = false;                                    ///< few lookouts: rows are indexed by place
+  std::vector<std::vector<const CompactLeg*>> by_place_;  ///< per lookout, then lookout
+  std::vector<std::vector<Entry>> rows_;                  ///< per place: all others
+  std::deque<CompactLeg> kept_;                           ///< between lookouts
+  std::deque<CompactLeg> added_;                          ///< from or to added places
+};
+
+}  // namespace tandem

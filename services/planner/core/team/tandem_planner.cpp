@@ -1,0 +1,117 @@
+#include "services/planner/core/team/tandem_planner.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <map>
+
+#include "services/planner/core/baselines/lawnmower_planner.hpp"
+#include "services/planner/core/team/lower_bound.hpp"
+
+namespace tandem {
+namespace {
+
+constexpr int kSeedChoices = 1;
+constexpr std::size_t kMowable = 5000;  ///< search cells; mowing a larger area takes longer than a first plan may
+constexpr double kSamePlace_m = 1e-3;
+
+using PlaceKey = std::pair<long, long>;
+
+PlaceKey key_of(const Eigen::Vector2d& point_in_map) {
+  return {std::lround(point_in_map.x() / kSamePlace_m), std::lround(point_in_map.y() / kSamePlace_m)};
+}
+
+}  // namespace
+
+void TandemPlanner::begin(const SearchProblem& problem, Rng rng) {
+  assert(!problem.members.empty() && !problem.masses.empty());
+  rng_ = rng;
+  rollouts_ = 0;
+  refinement_.reset();
+  tree_.reset();
+  value_.reset();
+  problem_ = std::make_unique<PreparedProblem>(problem);
+  ground_ = team_ground(*problem_);
+  value_.emplace(ground_);
+  tree_.emplace(ground_, *value_, options_.tree, options_.walk);
+  refinement_.emplace(ground_, *value_, options_.refinement);
+  best_ = Routes(problem.members.size());
+  best_s_ = value_->value_s(best_);
+  take_seed(greedy(options_.walk.exponent, false));
+  if (options_.seeds) {
+    take_seed(greedy(1.0, false));
+    if (problem.members.size() > 1) take_seed(greedy(options_.walk.exponent, true));
+    if (ground_.mass.size() <= kMowable) take_seed(lawnmower_routes(*problem_));
+  }
+  if (options_.warm_start && problem.current.size() == problem.members.size()) take_seed(running_plan());
+  refinement_->restart(best_, best_s_);
+}
+
+void TandemPlanner::take_seed(const Routes& routes) {
+  const double value_s = value_->value_s(routes);
+  tree_->remember(routes, value_s);
+  if (value_s < best_s_) {
+    best_ = routes;
+    best_s_ = value_s;
+  }
+}
+
+Routes TandemPlanner::greedy(double exponent, bool one_after_the_other) const {
+  WalkOptions options = options_.walk;
+  options.exponent = exponent;
+  JointWalk walk(ground_, options);
+  const auto finish = [&](int only) {
+    for (int m = walk.next_member(only); m >= 0; m = walk.next_member(only)) {
+      walk.choose(m, walk.choices(m, kSeedChoices).front().place);
+    }
+  };
+  if (one_after_the_other) {
+    for (int m = 0; m < static_cast<int>(ground_.books.size()); ++m) finish(m);
+  } else {
+    finish(-1);
+  }
+  return walk.routes();
+}
+
+Routes TandemPlanner::running_plan() const {
+  Routes routes;
+  for (std::size_t m = 0; m < ground_.books.size(); ++m) {
+    const ActionSet& actions = ground_.books[m]->actions();
+    std::map<PlaceKey, int> lookouts;
+    for (int place = 0; place < actions.lookouts(); ++place) lookouts.emplace(key_of(actions.place(place)), place);
+    std::vector<int>& route = routes.emplace_back();
+    for (const TimedPoint& point : problem_->problem().current[m].points) {
+      if (point.time_s < problem_->members()[m].start_s) continue;
+      const auto lookout = lookouts.find(key_of(point.point_in_map));
+      if (lookout == lookouts.end()) continue;
+      if (route.empty() || route.back() != lookout->second) route.push_back(lookout->second);
+    }
+    if (const auto& goal = problem_->members()[m].goal) route.insert(route.begin(), *goal);
+  }
+  return routes;
+}
+
+void TandemPlanner::run(int rollouts, const std::function<bool()>& stop) {
+  for (int i = 0; i < rollouts && !(stop && stop()); ++i, ++rollouts_) {
+    if (options_.tree_every > 0 && rollouts_ % options_.tree_every == 0) {
+      const double value_s = tree_->rollout(rng_);
+      if (value_s < best_s_) {
+        best_ = tree_->routes();
+        best_s_ = value_s;
+        refinement_->restart(best_, best_s_);
+      }
+    }
+    if (options_.moves == 0 || !refinement_->improve(options_.moves, rng_) || refinement_->best_s() >= best_s_)
+      continue;
+    best_ = refinement_->best();
+    best_s_ = refinement_->best_s();
+    if (options_.tree_every > 0) tree_->remember(best_, best_s_);
+  }
+}
+
+JointPlan TandemPlanner::best() {
+  JointPlan plan = problem_->plan(best_);
+  plan.lower_bound_s = lower_bound_s(*problem_);
+  return plan;
+}
+
+}  // namespace tandem

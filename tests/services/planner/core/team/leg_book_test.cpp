@@ -1,0 +1,59 @@
+#include "services/planner/core/team/leg_book.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/services/planner/support/search_case.hpp"
+
+namespace tandem {
+namespace {
+
+TEST(LegBook, OfASearcherToWhomSeenIsFoundItHoldsWhatComesIntoViewOnTheWay) {
+  Searcher person = test_person();
+  person.detection_rate_per_s = std::numeric_limits<double>::infinity();
+  SearchCase search(empty_room(16, 10), {3, 3}, {person});
+  const Leg& whole = search.world().actions(0).leg(0, 1);
+  const CompactLeg& leg = search.world().book(0).leg(0, 1);
+
+  ASSERT_TRUE(leg.possible);
+  EXPECT_FLOAT_EQ(leg.duration_s, static_cast<float>(whole.duration_s));
+  EXPECT_LT(leg.cells.size(), whole.seen.size());
+  for (const float enter_s : leg.enter_s) EXPECT_GT(enter_s, 0.0F);
+}
+
+TEST(LegBook, WithADetectionRateItSaysHowMuchOfACellsMassIsLeft) {
+  SearchCase search(empty_room(16, 10), {3, 3}, {test_person()});
+  const CompactLeg& leg = search.world().book(0).leg(0, 1);
+
+  ASSERT_EQ(leg.kept.size(), leg.cells.size());
+  for (std::size_t i = 0; i < leg.cells.size(); ++i) EXPECT_NEAR(leg.kept[i], std::exp(-0.5F * leg.stay_s[i]), 1e-6F);
+}
+
+TEST(LegBook, KnowsALegOnceItWasAskedForAndForgetsThoseOfAddedPlaces) {
+  SearchCase search(empty_room(16, 10), {3, 3}, {test_person()});
+  LegBook& book = search.world().book(0);
+  const int start = *search.world().actions(0).add_place({3, 3}, 1.0);
+  EXPECT_EQ(book.known_leg(0, 1), nullptr);
+  (void)book.leg(0, 1);
+  (void)book.leg(start, 1);
+  EXPECT_NE(book.known_leg(0, 1), nullptr);
+  EXPECT_NE(book.known_leg(start, 1), nullptr);
+
+  search.world().forget_added_places();
+  EXPECT_NE(book.known_leg(0, 1), nullptr);
+  EXPECT_EQ(book.known_leg(start, 1), nullptr);
+}
+
+TEST(LegBook, PreparingFindsTheLegsToTheNearestLookouts) {
+  SearchCase search(empty_room(16, 10), {3, 3}, {test_person()});
+  while (search.world().prepare_next()) {
+  }
+  for (const int near : search.world().actions(0).nearest_lookouts(2)) {
+    EXPECT_NE(search.world().book(0).known_leg(2, near), nullptr);
+  }
+}
+
+}  // namespace
+}  // namespace tandem

@@ -1,0 +1,41 @@
+#include "services/planner/core/team/team_ground.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numeric>
+
+#include "tests/services/planner/support/search_case.hpp"
+
+namespace tandem {
+namespace {
+
+TEST(TeamGround, TheMassOfSeveralObjectsAddsUp) {
+  SearchCase search(empty_room(8, 6), {3, 3}, {test_person()});
+  search.problem.masses.push_back(search.problem.masses.front());
+  const PreparedProblem prepared(search.problem);
+  const TeamGround ground = team_ground(prepared);
+  EXPECT_NEAR(std::accumulate(ground.mass.begin(), ground.mass.end(), 0.0), 2.0, 1e-5);
+}
+
+TEST(TeamGround, WhatIsLookedAtAnywayIsNotToBePromised) {
+  SearchCase search(empty_room(8, 6), {3, 3}, {test_person()});
+  search.problem.others.push_back({0, 0.0, {{{0.0, {3, 3}}, {4.0, {6, 3}}}}});
+  const PreparedProblem prepared(search.problem);
+  const TeamGround ground = team_ground(prepared);
+  const auto cell = static_cast<std::size_t>(*search.world().area().cell_at({4, 3}));
+  EXPECT_LT(ground.unpromised[cell], 0.5F * ground.mass[cell]);
+}
+
+TEST(TeamGround, ALegTakesWhatItDetects) {
+  Searcher person = test_person();
+  person.detection_rate_per_s = std::numeric_limits<double>::infinity();
+  SearchCase search(empty_room(8, 6), {3, 3}, {person});
+  const CompactLeg& leg = search.world().book(0).leg(0, 1);
+  std::vector<float> mass(static_cast<std::size_t>(search.world().area().size()), 1.0F);
+  EXPECT_FLOAT_EQ(take_detected(leg, true, mass), static_cast<float>(leg.cells.size()));
+  EXPECT_FLOAT_EQ(take_detected(leg, true, mass), 0.0F);
+}
+
+}  // namespace
+}  // namespace tandem
