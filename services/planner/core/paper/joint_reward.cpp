@@ -57,24 +57,36 @@ double DetectedMass::of(const std::array<int, kMostAgents>& last_actions) {
 
 NegativeExpectedTime::NegativeExpectedTime(SearchObjective objective, std::vector<ActionTree*> trees,
                                            std::vector<double> starts_s, std::vector<double> rates_per_s,
-                                           std::vector<Look> fixed)
+                                           std::vector<Look> fixed, double rest_sweeps)
     : objective_(std::move(objective)),
       trees_(std::move(trees)),
       starts_s_(std::move(starts_s)),
       rates_per_s_(std::move(rates_per_s)),
       looks_(std::move(fixed)),
-      fixed_(looks_.size()) {}
+      fixed_(looks_.size()),
+      rest_sweeps_(rest_sweeps) {
+  for (const auto& mass : objective_.masses()) {
+    mass_left_ += std::accumulate(mass.begin(), mass.end(), 0.0) / static_cast<double>(objective_.masses().size());
+  }
+}
 
 double NegativeExpectedTime::of(const std::array<int, kMostAgents>& last_actions) {
   looks_.resize(fixed_);
+  double ends_s = 0.0;
   for (std::size_t agent = 0; agent < trees_.size(); ++agent) {
     const ActionTree& tree = *trees_[agent];
+    const Action& last = tree[static_cast<std::size_t>(last_actions[agent])];
+    ends_s += (starts_s_[agent] + last.start_s + last.path.duration_s()) / static_cast<double>(trees_.size());
     for (int at = last_actions[agent]; at > 0; at = tree[static_cast<std::size_t>(at)].parent) {
       const Action& action = tree[static_cast<std::size_t>(at)];
       looks_.push_back({&action.seen, starts_s_[agent] + action.start_s, rates_per_s_[agent]});
     }
   }
-  return -objective_.forecast(looks_).expected_time_s;
+  const Forecast forecast = objective_.forecast(looks_);
+  const double left = 1.0 - forecast.probability_found;
+  const double on_the_branch_s = forecast.expected_time_s - left * (objective_.horizon_s() + objective_.tail_s());
+  const double sweep_of_the_rest_s = objective_.tail_s() * mass_left_ * left;
+  return -(on_the_branch_s + left * (ends_s + rest_sweeps_ * sweep_of_the_rest_s));
 }
 
 }  // namespace tandem

@@ -31,11 +31,15 @@ class DetectedMass {
 };
 
 /// The objective of the corrected planner (digest A1, A2): minus the expected time to find [s].
+///
+/// A branch ends long before the search does. What it leaves is taken to be found from then on, on average after
+/// `rest_sweeps` sweeps of what is left then, so that branches of all lengths are compared over the same search. Half a
+/// sweep would be needed if nothing were seen twice; in scattered leftovers it is more.
 class NegativeExpectedTime {
  public:
   /// `starts_s`: when each agent's first action begins. The trees and what `fixed` points at outlive it.
   NegativeExpectedTime(SearchObjective objective, std::vector<ActionTree*> trees, std::vector<double> starts_s,
-                       std::vector<double> rates_per_s, std::vector<Look> fixed);
+                       std::vector<double> rates_per_s, std::vector<Look> fixed, double rest_sweeps);
 
   /// Of the sequences to these actions, one an agent. Higher is better.
   [[nodiscard]] double of(const std::array<int, kMostAgents>& last_actions);
@@ -47,6 +51,8 @@ class NegativeExpectedTime {
   std::vector<double> rates_per_s_;
   std::vector<Look> looks_;
   std::size_t fixed_;
+  double rest_sweeps_;
+  double mass_left_ = 0.0;  ///< now, mean of the objects
 };
 
 }  // namespace tandem

@@ -7,8 +7,8 @@
 namespace tandem {
 
 struct MultiRrtOptions {
-  int nodes = 1000;     ///< of the tree that begins at the agent
-  int goal_trees = 8;   ///< trees centred on positive sources
+  int nodes = 3000;     ///< of the tree that begins at the agent
+  int goal_trees = 4;   ///< trees centred on positive sources
   int goal_nodes = 40;  ///< of each of them
   double step_m = 2.0;  ///< the longest movement
 };

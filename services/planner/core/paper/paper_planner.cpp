@@ -99,7 +99,7 @@ void PaperPlanner::begin(const SearchProblem& problem, Rng rng) {
   } else {
     objective_ = std::make_unique<std::variant<DetectedMass, NegativeExpectedTime>>(
         std::in_place_type<NegativeExpectedTime>, SearchObjective(problem.masses, problem.horizon_s, problem.tail_s),
-        tree_pointers_, starts_s, rates_per_s, problem_->fixed_looks());
+        tree_pointers_, starts_s, rates_per_s, problem_->fixed_looks(), options_.rest_sweeps);
   }
   expand_end_states();
 }

@@ -24,6 +24,7 @@ struct PaperOptions {
   PruningOptions pruning;
   SelectionUpdate update;
   PaperObjective objective = PaperObjective::DetectedMass;
+  double rest_sweeps = 1.0;        ///< see NegativeExpectedTime
   bool replans_under_way = false;  ///< see Planner
 };
 

@@ -10,9 +10,12 @@
 namespace tandem {
 namespace {
 
-MakePlanner paper(Reading reading, PaperObjective objective) {
+constexpr double kTunedTravelCost_per_s = 0.002;  ///< see bench/reports/planning_tuning
+
+MakePlanner paper(Reading reading, PaperObjective objective, double travel_cost_per_s = 0.0) {
   return [=](PlannerOptions& given) {
     PaperOptions options;
+    options.pruning.travel_cost_per_s = travel_cost_per_s;
     options.update.reading = reading;
     options.objective = objective;
     options.trees.nodes = given.whole_number("nodes", options.trees.nodes);
@@ -23,6 +26,7 @@ MakePlanner paper(Reading reading, PaperObjective objective) {
     options.pruning.travel_cost_per_s = given.number("travel_cost", options.pruning.travel_cost_per_s);
     options.update.reduction = given.number("w", options.update.reduction);
     options.update.discount = given.number("gamma", options.update.discount);
+    options.rest_sweeps = given.number("rest_sweeps", options.rest_sweeps);
     options.replans_under_way = given.whole_number("replans_under_way", options.replans_under_way ? 1 : 0) != 0;
     return std::make_unique<PaperPlanner>(options);
   };
@@ -74,6 +78,7 @@ std::map<std::string, MakePlanner> peers() {
   return {
       {"paper", paper(Reading::Sound, PaperObjective::DetectedMass)},
       {"paper_printed", paper(Reading::Printed, PaperObjective::DetectedMass)},
+      {"paper_travel", paper(Reading::Sound, PaperObjective::DetectedMass, kTunedTravelCost_per_s)},
       {"paper_corrected", paper(Reading::Sound, PaperObjective::ExpectedTime)},
       {"greedy", greedy(1.0, Mates::Coordinated)},
       {"greedy15", greedy(1.5, Mates::Coordinated)},

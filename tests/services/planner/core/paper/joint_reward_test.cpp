@@ -59,16 +59,22 @@ TEST(JointReward, T15TheObjectiveAsPrintedDoesNotCareForTheOrderAndItsTravelCost
 
 TEST(JointReward, T15TheExpectedTimePicksTheLikelyRoomFirst) {
   ActionTree tree = two_rooms();
-  NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 0.0), {&tree}, {0.0}, {kFirstSight}, {});
+  NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 0.0), {&tree}, {0.0}, {kFirstSight}, {}, 0.5);
   EXPECT_NEAR(time.of({2}), -4.2, 1e-12);  // 0.2 * 1 + 0.8 * 5
   EXPECT_NEAR(time.of({4}), -3.8, 1e-12);  // 0.8 * 3 + 0.2 * 7
+}
+
+TEST(JointReward, WhatABranchLeavesIsFoundAfterItsEndOnASweepOfTheRest) {
+  ActionTree tree = two_rooms();
+  NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 50.0), {&tree}, {0.0}, {kFirstSight}, {}, 0.5);
+  EXPECT_NEAR(time.of({3}), -(0.8 * 3.0 + 0.2 * (3.0 + 0.5 * 50.0 * 0.2)), 1e-12);  // only B, after 3 s
 }
 
 TEST(JointReward, T16TwoAgentsSplit) {
   ActionTree a = two_rooms();
   ActionTree b = two_rooms();
   NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 0.0), {&a, &b}, {0.0, 0.0}, {kFirstSight, kFirstSight},
-                            {});
+                            {}, 0.5);
   EXPECT_NEAR(time.of({1, 3}), -2.6, 1e-12);  // 0.2 * 1 + 0.8 * 3
 }
 
