@@ -42,9 +42,9 @@ class BestPlan : public TaskIncumbent {
   [[nodiscard]] double value() const override {
     return found_ ? best_.value : -std::numeric_limits<double>::infinity();
   }
+  [[nodiscard]] const std::vector<TaskAction>& decisions() const override { return best_.decisions; }
   [[nodiscard]] double untold() const { return untold_; }
   [[nodiscard]] bool is_found() const { return found_; }
-  [[nodiscard]] const TaskCandidate& candidate() const { return best_; }
 
  private:
   [[nodiscard]] bool is_better(const std::vector<TaskAction>& decisions, double value, std::int64_t makespan_ms) const {
@@ -124,7 +124,7 @@ double TaskPlanner::upper_bound() const {
 
 std::optional<TaskPlan> TaskPlanner::best() {
   if (!impl_->best.is_found()) return std::nullopt;
-  TaskPlan plan = replayed(impl_->model, impl_->best.candidate().decisions);
+  TaskPlan plan = replayed(impl_->model, impl_->best.decisions());
   plan.value_untold = plan.informs.empty() ? plan.value : impl_->best.untold();
   plan.upper_bound = upper_bound();
   plan.rollouts = impl_->rollouts;

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "services/planner/core/tasks/stations.hpp"
+
 namespace tandem {
 namespace {
 
@@ -13,12 +15,16 @@ constexpr double kGreedyImpatience[] = {1.0, 0.5, 1.5, 0.0};
 constexpr double kSharpness = 3.0;      ///< a random course takes decisions by score to this power
 constexpr double kShareUniform = 0.05;  ///< of random decisions that do not look at the score
 constexpr double kLeastPrior = 1e-3;
+constexpr std::int64_t kWalkDownEvery = 4;  ///< rollouts; the others change a plan
+constexpr double kHeat = 0.02;              ///< of annealing, as a share of the best value
+constexpr double kShareBackToBest = 0.005;  ///< of changes that start from the best plan again
 
 }  // namespace
 
 TaskTree::TaskTree(TaskModel& model, TaskIncumbent& incumbent, const TaskTreeOptions& options)
     : model_(model), incumbent_(incumbent), options_(options), bound_of_(model), score_(model) {
-  add_node(model.start());
+  start_ = model.start();
+  add_node(start_);
 }
 
 std::int64_t TaskTree::least_makespan_ms(const TaskState& state) const {
@@ -147,36 +153,69 @@ double TaskTree::finish_at_random(TaskState state, std::vector<TaskAction>& deci
 void TaskTree::offer_greedy_plans() {
   for (const double impatience : kGreedyImpatience) {
     std::vector<TaskAction> decisions;
-    (void)finish(nodes_.front().state, decisions,
-                 [&](const TaskState& state) { return greedy_choice(state, impatience); });
+    (void)finish(start_, decisions, [&](const TaskState& state) { return greedy_choice(state, impatience); });
   }
 }
 
-void TaskTree::offer_plan_in_execution() {
-  const auto& sequences = model_.problem().in_execution;
-  if (sequences.empty()) return;
-  std::vector<std::size_t> done(sequences.size(), 0);
-  std::vector<TaskAction> decisions;
-  (void)finish(nodes_.front().state, decisions, [&](const TaskState& state) {
-    const std::size_t greedy = greedy_choice(state, 1.0);
+/// From the start, everybody goes through its sequence, messages as given, then greedily on.
+double TaskTree::finish_as_in(const TaskSequences& sequences, std::int32_t told, std::vector<TaskAction>& decisions) {
+  std::vector<std::size_t> next(sequences.size(), 0);
+  decisions.clear();
+  return finish(start_, decisions, [&](const TaskState& state) {
     const int agent = model_.decider(state);
-    if (agent < 0 || static_cast<std::size_t>(agent) >= sequences.size()) return greedy;
-    const auto& sequence = sequences[static_cast<std::size_t>(agent)];
-    // What is gone or out of reach by now is passed over.
-    for (std::size_t& next = done[static_cast<std::size_t>(agent)]; next < sequence.size();) {
-      const std::string& id = sequence[next++];
-      const auto found = std::ranges::find_if(actions_, [&](const TaskAction& action) {
-        const bool is_visit = action.kind == TaskActionKind::Visit || action.kind == TaskActionKind::Accompany;
-        return is_visit && model_.problem().world.sources[static_cast<std::size_t>(action.source)].id == id;
-      });
-      if (found != actions_.end()) return static_cast<std::size_t>(found - actions_.begin());
-    }
-    return greedy;
+    if (agent == TaskModel::kTeller) return static_cast<std::size_t>(told);
+    const auto a = static_cast<std::size_t>(agent);
+    const int chosen = a < sequences.size() ? following(sequences[a], next[a], actions_) : -1;
+    return chosen >= 0 ? static_cast<std::size_t>(chosen) : greedy_choice(state, 1.0);
   });
+}
+
+void TaskTree::offer_plan_in_execution() {
+  const auto& ids = model_.problem().in_execution;
+  if (ids.empty()) return;
+  TaskSequences sequences(ids.size());
+  for (std::size_t a = 0; a < ids.size(); ++a) {
+    for (const std::string& id : ids[a]) {
+      const auto source = index_of(model_.problem().world, id);
+      if (!source) continue;  // removed since
+      TaskAction action;
+      action.kind =
+          is_moving(model_.world().sources()[*source].boundary) ? TaskActionKind::Accompany : TaskActionKind::Visit;
+      action.source = static_cast<std::int16_t>(*source);
+      sequences[a].push_back(action);
+    }
+  }
+  std::vector<TaskAction> decisions;
+  (void)finish_as_in(sequences, 0, decisions);
+}
+
+/// Simulated annealing over the agents' sequences, from the best plan and back to it now and then.
+void TaskTree::change_current(Rng& rng) {
+  if (current_.empty() || rng.uniform() < kShareBackToBest) {
+    current_ = incumbent_.decisions();
+    current_value_ = incumbent_.value();
+    if (current_.empty()) return walk_down(rng);
+  }
+  TaskSequences sequences = sequences_of(current_, model_.agent_count());
+  change(sequences, model_.world().sources().size(), rng);
+  const std::int32_t told = current_.front().kind == TaskActionKind::Tell ? current_.front().source : 0;
+  const double value = finish_as_in(sequences, told, changed_);
+  const double heat = kHeat * std::abs(incumbent_.value());
+  if (value < current_value_ + heat * std::log(1.0 - rng.uniform())) return;
+  std::swap(current_, changed_);
+  current_value_ = value;
 }
 
 void TaskTree::roll_out(Rng& rng) {
   if (is_finished()) return;
+  if (++rollouts_ % kWalkDownEvery == 0) {
+    walk_down(rng);
+  } else {
+    change_current(rng);
+  }
+}
+
+void TaskTree::walk_down(Rng& rng) {
   std::vector<std::int32_t> path{0};
   std::vector<TaskAction> decisions;
   double value = -std::numeric_limits<double>::infinity();

@@ -7,6 +7,7 @@
 #include "services/common/random.hpp"
 #include "services/planner/core/tasks/task_bound.hpp"
 #include "services/planner/core/tasks/task_score.hpp"
+#include "services/planner/core/tasks/task_sequences.hpp"
 
 namespace tandem {
 
@@ -26,6 +27,8 @@ class TaskIncumbent {
   /// Whether a plan of at most this value that ends no sooner than this could take the place of the best.
   [[nodiscard]] virtual bool can_be_beaten_by(double bound, std::int64_t least_makespan_ms) const = 0;
   [[nodiscard]] virtual double value() const = 0;
+  /// The decisions of the best plan.
+  [[nodiscard]] virtual const std::vector<TaskAction>& decisions() const = 0;
 };
 
 struct TaskTreeOptions {
@@ -49,7 +52,8 @@ class TaskTree {
   void offer_greedy_plans();
   /// Offers the plan in which everybody goes on as in the plan in execution, then greedily.
   void offer_plan_in_execution();
-  /// One walk down the tree, one new node, one randomised greedy course from there.
+  /// One walk down the tree, one new node, one randomised greedy course from there; mostly, a good plan with a
+  /// few things changed at random (simulated annealing).
   void roll_out(Rng& rng);
   /// Everything was looked at or ruled out.
   [[nodiscard]] bool is_finished() const { return nodes_.front().is_closed; }
@@ -72,6 +76,9 @@ class TaskTree {
     bool is_closed = false;
   };
 
+  void walk_down(Rng& rng);
+  void change_current(Rng& rng);
+  double finish_as_in(const TaskSequences& sequences, std::int32_t told, std::vector<TaskAction>& decisions);
   void expand(Node& node);
   [[nodiscard]] std::size_t select(const Node& node) const;
   std::int32_t add_node(TaskState state);
@@ -91,8 +98,13 @@ class TaskTree {
   TaskScore score_;
   std::deque<Node> nodes_;  ///< a deque: nodes stay where they are
   std::vector<std::int32_t> free_nodes_;
+  TaskState start_;
   double lowest_ = 0.0;  ///< value seen
   bool has_values_ = false;
+  std::int64_t rollouts_ = 0;
+  std::vector<TaskAction> current_;  ///< the plan that is being changed
+  double current_value_ = 0.0;
+  std::vector<TaskAction> changed_;
   std::vector<TaskAction> actions_;
   std::vector<double> scores_;
 };

@@ -12,17 +12,21 @@ namespace {
 /// Keeps the best value, and counts what it was offered.
 class Collector : public TaskIncumbent {
  public:
-  void offer(const std::vector<TaskAction>& /*decisions*/, const TaskState& final_state) override {
+  void offer(const std::vector<TaskAction>& decisions, const TaskState& final_state) override {
     ++offers;
-    best = std::max(best, final_state.value);
+    if (final_state.value <= best) return;
+    best = final_state.value;
+    best_decisions = decisions;
   }
   [[nodiscard]] bool can_be_beaten_by(double bound, std::int64_t /*least_makespan_ms*/) const override {
     return bound > best + 1e-7;
   }
   [[nodiscard]] double value() const override { return best; }
+  [[nodiscard]] const std::vector<TaskAction>& decisions() const override { return best_decisions; }
 
   int offers = 0;
   double best = -std::numeric_limits<double>::infinity();
+  std::vector<TaskAction> best_decisions;
 };
 
 // 10 s: the left one (5 m, pays 4) or both right ones (2 m and 3 m more, pay 3 and 2), not all: r, then l, pays 7.
