@@ -4,8 +4,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <thread>
 
 #include "bench/planning/instance/instance_world.hpp"
@@ -13,15 +15,16 @@
 #include "bench/planning/loop/first_plan.hpp"
 #include "bench/planning/loop/run_plan.hpp"
 #include "services/common/config.hpp"
-#include "services/planner/core/planners/registry.hpp"
 #include "services/planner/core/team/prepared_problem.hpp"
+#include "services/planner/core/team/route_value.hpp"
 
 namespace tandem::bench {
 namespace {
 
 constexpr double kMeasureFor_ms = 1000.0;
 constexpr int kRoutes = 64;
-constexpr double kMissionFound = 0.98;  ///< a plan of the whole mission finds so much
+constexpr double kAllMissions_s = 5000.0;  ///< longer than any
+constexpr double kMissionFound = 0.98;     ///< a plan of the whole mission finds so much
 
 /// A random plan of the whole mission: whoever is free first goes to one of the three nearest lookouts not yet taken,
 /// until nearly all is found.
@@ -59,32 +62,56 @@ Routes random_mission(const PreparedProblem& prepared, SearchObjective& objectiv
   }
 }
 
-double evaluations_per_s(const MicroRecord::Key& key) {
-  const PlanningInstance instance = instance_of(key.family, key.seed);
-  const auto world = world_of(instance);
-  const auto prior = prior_mass(*world, instance);
-  while (world->prepare_next()) {
+/// Random plans of the whole mission of an instance, all legs known.
+struct Missions {
+  explicit Missions(const MicroRecord::Key& key)
+      : instance(instance_of(key.family, key.seed)), world(world_of(instance)) {
+    while (world->prepare_next()) {
+    }
+    problem = problem_at_start(instance, *world, prior_mass(*world, instance));
+    problem.horizon_s = kAllMissions_s;
+    prepared = std::make_unique<PreparedProblem>(problem);
+    SearchObjective objective(problem.masses, problem.horizon_s, problem.tail_s);
+    Rng rng{key.seed};
+    for (int i = 0; i < kRoutes; ++i) routes.push_back(random_mission(*prepared, objective, rng));
   }
-  const SearchProblem problem = problem_at_start(instance, *world, prior);
-  const PreparedProblem prepared(problem);
-  SearchObjective objective(problem.masses, 1e6, problem.tail_s);
-  Rng rng{key.seed};
-  std::vector<Routes> missions;
-  for (int i = 0; i < kRoutes; ++i) missions.push_back(random_mission(prepared, objective, rng));
-  std::vector<Look> looks;
+  PlanningInstance instance;
+  std::unique_ptr<SearchWorld> world;
+  SearchProblem problem;
+  std::unique_ptr<PreparedProblem> prepared;
+  std::vector<Routes> routes;
+};
+
+/// How often `value_s` values one of the missions per second, once all is warm.
+double values_per_s(const Missions& missions, const std::function<double(const Routes&)>& value_s) {
   double sum_s = 0.0;
+  for (const Routes& routes : missions.routes) sum_s += value_s(routes);
   std::int64_t evaluations = 0;
   const double begin_ms = thread_cpu_ms();
   double now_ms = begin_ms;
   for (; now_ms - begin_ms < kMeasureFor_ms; now_ms = thread_cpu_ms()) {
-    for (const Routes& routes : missions) {
-      looks.clear();
-      for (std::size_t m = 0; m < routes.size(); ++m) prepared.add_looks(m, routes[m], looks);
-      sum_s += objective.forecast(looks).expected_time_s;
-      ++evaluations;
-    }
+    for (const Routes& routes : missions.routes) sum_s += value_s(routes);
+    evaluations += kRoutes;
   }
   return sum_s > 0.0 ? 1e3 * static_cast<double>(evaluations) / (now_ms - begin_ms) : 0.0;
+}
+
+double evaluations_per_s(const MicroRecord::Key& key) {
+  const Missions missions(key);
+  const TeamGround ground = team_ground(*missions.prepared);
+  RouteValue value(ground);
+  return values_per_s(missions, [&](const Routes& routes) { return value.value_s(routes); });
+}
+
+double objective_evaluations_per_s(const MicroRecord::Key& key) {
+  const Missions missions(key);
+  SearchObjective objective(missions.problem.masses, missions.problem.horizon_s, missions.problem.tail_s);
+  std::vector<Look> looks;
+  return values_per_s(missions, [&](const Routes& routes) {
+    looks.clear();
+    for (std::size_t m = 0; m < routes.size(); ++m) missions.prepared->add_looks(m, routes[m], looks);
+    return objective.forecast(looks).expected_time_s;
+  });
 }
 
 double rollouts_per_s(const MicroRecord::Key& key) {
@@ -129,11 +156,10 @@ struct Measure {
 };
 
 const std::map<std::string, Measure>& measures() {
-  static const std::map<std::string, Measure> all{{"evaluations", {"1/s", evaluations_per_s}},
-                                                  {"rollouts", {"1/s", rollouts_per_s}},
-                                                  {"memory", {"MB", peak_memory_mb}},
-                                                  {"reproducible", {"", is_reproducible}},
-                                                  {"searches", {"1/min", searches_per_minute}}};
+  static const std::map<std::string, Measure> all{
+      {"evaluations", {"1/s", evaluations_per_s}}, {"objective", {"1/s", objective_evaluations_per_s}},
+      {"rollouts", {"1/s", rollouts_per_s}},       {"memory", {"MB", peak_memory_mb}},
+      {"reproducible", {"", is_reproducible}},     {"searches", {"1/min", searches_per_minute}}};
   return all;
 }
 

@@ -34,7 +34,9 @@ struct MicroRequest {
 };
 
 /// What can be measured:
-///   evaluations    exact evaluations of a plan of the whole mission per second of one core, legs known
+///   evaluations    values of a plan of the whole mission per second of one core as the planner tandem finds them
+///                  (RouteValue), legs known
+///   objective      the same by SearchObjective
 ///   rollouts       of the planner tandem per second of one core, in its first plan
 ///   memory         peak resident memory of a process that prepares the map and plans for 200 ms [MB]
 ///   reproducible   1 if two searches at a time give what one alone gives, bit for bit, else 0

@@ -18,10 +18,11 @@ inline constexpr const char* kPaperCorrected = "paper_corrected";
 inline constexpr const char* kTunedGreedy = "greedy15";
 
 struct CampaignOptions {
-  bool quick = false;                       ///< few instances and small budgets
-  std::vector<int> rows = {};               ///< only what these rows of the report need; empty: all
-  std::uint64_t first_seed = 1;             ///< of the instances; 1000001 for those that nothing was tuned on
-  std::vector<std::string> ablations = {};  ///< options of tandem that switch parts off
+  bool quick = false;            ///< few instances and small budgets
+  std::vector<int> rows = {};    ///< only what these rows of the report need; empty: all
+  std::uint64_t first_seed = 1;  ///< of the instances; 1000001 for those that nothing was tuned on
+  /// Options of tandem that switch a part off: refinement, tree, all seeds but one, the plan in execution as a seed.
+  std::vector<std::string> ablations = {"moves=0", "tree_every=0", "seeds=0", "warm_start=0"};
 };
 
 /// All that is to be run for a report.
