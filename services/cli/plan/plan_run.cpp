@@ -84,7 +84,8 @@ void plan_search(const PlanningScenario& scenario, const PlanRequest& request, c
   for (std::size_t i = 0; i < scenario.agents.size(); ++i) {
     const ScenarioAgent& agent = scenario.agents[i];
     const int searcher = static_cast<int>(i);
-    if (!world.actions(searcher).can_stand_near(agent.start.position())) {
+    const bool on_floor = world.map(agent.searcher.layer).at(agent.start.position()) == CellState::Free;
+    if (!on_floor || !world.actions(searcher).can_stand_near(agent.start.position())) {
       throw ConfigError("agents: " + agent.searcher.id + ": it cannot move where it starts; give it more room");
     }
     problem.members.push_back(member_of(agent, searcher));
