@@ -20,7 +20,7 @@ std::unique_ptr<Planner> make_tandem(PlannerOptions& given) {
   options.refinement.cycle = given.whole_number("cycle", options.refinement.cycle);
   options.refinement.neighbours = given.whole_number("neighbours", options.refinement.neighbours);
   options.moves = given.whole_number("moves", options.moves);
-  options.refinement.new_legs = given.number("new_legs", options.refinement.new_legs);
+  options.refinement.far_legs = given.number("far_legs", options.refinement.far_legs);
   options.tree_every = given.whole_number("tree_every", options.tree_every);
   options.seeds = given.whole_number("seeds", options.seeds ? 1 : 0) != 0;
   options.warm_start = given.whole_number("warm_start", options.warm_start ? 1 : 0) != 0;

@@ -50,7 +50,9 @@ std::size_t JointTree::child_to_try(const Node& node) const {
       best = index;
     }
   };
-  for (std::uint32_t i = 0; i < std::min(node.children, widened); ++i) consider(node.first_child + i);
+  for (std::uint32_t i = 0; i < node.children; ++i) {
+    if (i < widened || children_[node.first_child + i].node >= 0) consider(node.first_child + i);
+  }
   if (node.extra >= 0) consider(static_cast<std::size_t>(node.extra));
   return best;
 }

@@ -76,7 +76,8 @@ const CompactLeg& LegBook::add(int from, int to) {
   compact.initial_heading_rad = static_cast<float>(leg.initial_heading_rad);
   compact.final_heading_rad = static_cast<float>(leg.final_heading_rad);
   std::size_t begin = 0;
-  while (first_sight_ && begin < leg.seen.size() && leg.seen.enter_s[begin] <= 0.0) ++begin;
+  const bool came_there = first_sight_ && from < actions_.lookouts();
+  while (came_there && begin < leg.seen.size() && leg.seen.enter_s[begin] <= 0.0) ++begin;
   compact.cells.assign(leg.seen.cells.begin() + static_cast<std::ptrdiff_t>(begin), leg.seen.cells.end());
   compact.enter_s.assign(leg.seen.enter_s.begin() + static_cast<std::ptrdiff_t>(begin), leg.seen.enter_s.end());
   if (first_sight_) return compact;

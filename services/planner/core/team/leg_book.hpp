@@ -21,8 +21,8 @@ struct CompactLeg {
   std::vector<std::int32_t> end_view;  ///< in view at the end, while the agent turns; empty if it need not turn
 };
 
-/// The legs of one capability. Of a searcher to whom seen is found, what it has in view when a leg begins is left out:
-/// it saw that when it came, or from its start.
+/// The legs of one capability. Of a searcher to whom seen is found, what it has in view when a leg from a lookout
+/// begins is left out: it saw that when it came.
 class LegBook {
  public:
   /// `actions` must outlive it and must not forget its lookouts.

@@ -49,7 +49,7 @@ bool Refinement::improve(int moves, Rng& rng) {
     while (kind + 1 < std::size(kMoves) && u >= kMoves[kind].share) u -= kMoves[kind++].share;
     trial_ = current_;
     if (!make_trial(kMoves[kind].move, rng)) continue;
-    if (!is_known_ground() && rng.uniform() >= options_.new_legs) continue;
+    if (!stays_near() && rng.uniform() >= options_.far_legs) continue;
     const double trial_s = value_->value_s(trial_);
     const double progress = static_cast<double>(moves_ % options_.cycle) / options_.cycle;
     const double temperature_s = best_s_ * options_.warmth * std::pow(options_.coldness / options_.warmth, progress);
@@ -64,15 +64,16 @@ bool Refinement::improve(int moves, Rng& rng) {
   return best_s_ < before_s;
 }
 
-bool Refinement::is_known_ground() const {
+bool Refinement::stays_near() const {
   for (std::size_t m = 0; m < trial_.size(); ++m) {
     const std::vector<int>& route = trial_[m];
     int from = ground_->problem->members()[m].start;
     for (std::size_t i = 0; i < route.size(); from = route[i++]) {
       const bool as_before =
           i < current_[m].size() && route[i] == current_[m][i] && (i == 0 || route[i - 1] == current_[m][i - 1]);
-      if (as_before || from == route[i] || ground_->books[m]->known_leg(from, route[i]) != nullptr) continue;
-      return false;
+      if (as_before || from == route[i]) continue;
+      const auto& near = ground_->books[m]->actions().nearest_lookouts(from);
+      if (std::ranges::find(near, route[i]) == near.end()) return false;
     }
   }
   return true;

@@ -13,7 +13,7 @@ struct RefinementOptions {
   double coldness = 0.0002;  ///< the same at the end of a cycle
   int cycle = 6000;          ///< moves from warm to cold; then again from the best
   int neighbours = 8;        ///< lookouts near a place that moves look at
-  double new_legs = 0.02;    ///< how often a move may ask for legs that nobody has looked at yet, which takes time
+  double far_legs = 0.02;    ///< how often a move may ask for legs to lookouts that are not near, which takes time
 };
 
 /// Makes routes better by small moves: insert, remove, relocate, replace, swap, reverse, move a piece, swap tails;
@@ -37,8 +37,9 @@ class Refinement {
   enum class Move { Insert, Remove, Relocate, Replace, Swap, Reverse, Piece, Tails };
 
   bool make_trial(Move move, Rng& rng);
-  /// Whether all legs of the trial are known; those it shares with the current routes are.
-  [[nodiscard]] bool is_known_ground() const;
+  /// Whether the trial goes only to lookouts near to where it comes from, but for what it shares with the current
+  /// routes. (What is known already would depend on what was planned before.)
+  [[nodiscard]] bool stays_near() const;
   [[nodiscard]] std::size_t free_places(std::size_t member) const;
   [[nodiscard]] std::size_t position(std::size_t member, Rng& rng) const;
   [[nodiscard]] int neighbour(std::size_t member, int place, Rng& rng) const;

@@ -50,10 +50,6 @@ void RouteValue::add_course(double weight, int astray, const PathHypothesis* hyp
       for (std::size_t i = 0; i < look.seen->size(); ++i)
         see(look.seen->cells[i], look.start_s + look.seen->enter_s[i]);
     }
-    for (std::size_t m = 0; m < ground_->books.size(); ++m) {
-      if (static_cast<int>(m) == astray) continue;
-      for (const std::int32_t cell : ground_->start_views[m]) see(cell, ground_->problem->members()[m].start_s);
-    }
     for (std::size_t cell = 0; cell < course.first_s.size(); ++cell) {
       course.saved += static_cast<double>(ground_->mass[cell]) * (end_s_ - course.first_s[cell]);
     }
@@ -62,12 +58,22 @@ void RouteValue::add_course(double weight, int astray, const PathHypothesis* hyp
 }
 
 double RouteValue::value_s(const Routes& routes) {
+  if (search_->masses.size() > 1) return exact_s(routes);
   double value_s = 0.0;
   for (const Course& course : courses_) {
-    const double course_s = search_->masses.size() > 1 ? of_several_s(course, routes)
-                            : ground_->first_sight     ? first_sight_s(course, routes)
-                                                       : with_rates_s(course, routes);
-    value_s += course.weight * course_s;
+    value_s += course.weight * (ground_->first_sight ? first_sight_s(course, routes) : with_rates_s(course, routes));
+  }
+  return is_rejected(routes) ? value_s + kRejectedPenalty_s : value_s;
+}
+
+double RouteValue::exact_s(const Routes& routes) {
+  double value_s = 0.0;
+  for (const Course& course : courses_) {
+    looks_ = course.fixed_looks;
+    for (std::size_t m = 0; m < routes.size(); ++m) {
+      if (static_cast<int>(m) != course.astray) ground_->problem->add_looks(m, routes[m], looks_);
+    }
+    value_s += course.weight * objective_.forecast(looks_).expected_time_s;
   }
   return is_rejected(routes) ? value_s + kRejectedPenalty_s : value_s;
 }
@@ -141,8 +147,6 @@ double RouteValue::with_rates_s(const Course& course, const Routes& routes) {
     const PreparedProblem::Member& who = ground_->problem->members()[m];
     cursors_[m] = {0, who.start, who.start_s, static_cast<float>(who.heading_rad), &ground_->start_views[m]};
     if (static_cast<int>(m) == course.astray) cursors_[m].next = routes[m].size();
-    if (static_cast<int>(m) == course.astray || !ground_->books[m]->first_sight()) continue;
-    for (const std::int32_t cell : ground_->start_views[m]) look(cell, who.start_s, 0.0F, 0.0F, who.start_s);
   }
   for (;;) {  // the leg that begins next
     std::size_t m = routes.size();
@@ -183,14 +187,6 @@ double RouteValue::with_rates_s(const Course& course, const Routes& routes) {
     at.view = &leg.end_view;
   }
   return end_s_ - saved_ / total_;
-}
-
-double RouteValue::of_several_s(const Course& course, const Routes& routes) {
-  looks_ = course.fixed_looks;
-  for (std::size_t m = 0; m < routes.size(); ++m) {
-    if (static_cast<int>(m) != course.astray) ground_->problem->add_looks(m, routes[m], looks_);
-  }
-  return objective_.forecast(looks_).expected_time_s;
 }
 
 bool RouteValue::is_rejected(const Routes& routes) const {

@@ -19,6 +19,8 @@ class RouteValue {
 
   /// Expected time [s], with hypotheses about who may not follow and the penalty of rejected plans.
   [[nodiscard]] double value_s(const Routes& routes);
+  /// The same by SearchObjective itself.
+  [[nodiscard]] double exact_s(const Routes& routes);
 
  private:
   /// A course of events: all follow the plan, or one does something else.
@@ -41,7 +43,6 @@ class RouteValue {
   void add_course(double weight, int astray, const PathHypothesis* hypothesis);
   [[nodiscard]] double first_sight_s(const Course& course, const Routes& routes);
   [[nodiscard]] double with_rates_s(const Course& course, const Routes& routes);
-  [[nodiscard]] double of_several_s(const Course& course, const Routes& routes);
   void look(std::int32_t cell, double from_s, float kept, float rate_inverse_s, double to_s);
   [[nodiscard]] bool is_rejected(const Routes& routes) const;
 

@@ -36,6 +36,8 @@ void TandemPlanner::begin(const SearchProblem& problem, Rng rng) {
   refinement_.emplace(ground_, *value_, options_.refinement);
   best_ = Routes(problem.members.size());
   best_s_ = value_->value_s(best_);
+  incumbent_ = best_;
+  incumbent_s_ = value_->exact_s(best_);
   take_seed(greedy(options_.walk.exponent, false));
   if (options_.seeds) {
     take_seed(greedy(1.0, false));
@@ -49,6 +51,10 @@ void TandemPlanner::begin(const SearchProblem& problem, Rng rng) {
 void TandemPlanner::take_seed(const Routes& routes) {
   const double value_s = value_->value_s(routes);
   tree_->remember(routes, value_s);
+  if (const double exact_s = value_->exact_s(routes); exact_s < incumbent_s_) {
+    incumbent_ = routes;
+    incumbent_s_ = exact_s;
+  }
   if (value_s < best_s_) {
     best_ = routes;
     best_s_ = value_s;
@@ -109,7 +115,11 @@ void TandemPlanner::run(int rollouts, const std::function<bool()>& stop) {
 }
 
 JointPlan TandemPlanner::best() {
-  JointPlan plan = problem_->plan(best_);
+  if (const double exact_s = value_->exact_s(best_); exact_s < incumbent_s_) {
+    incumbent_ = best_;
+    incumbent_s_ = exact_s;
+  }
+  JointPlan plan = problem_->plan(incumbent_);
   plan.lower_bound_s = lower_bound_s(*problem_);
   return plan;
 }

@@ -49,6 +49,8 @@ class TandemPlanner final : public Planner {
   std::optional<Refinement> refinement_;
   Routes best_;
   double best_s_ = 0.0;
+  Routes incumbent_;  ///< the best that was asked for, or the best seed: by its exact value
+  double incumbent_s_ = 0.0;
   int rollouts_ = 0;
 };
 

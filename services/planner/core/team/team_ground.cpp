@@ -27,8 +27,6 @@ TeamGround team_ground(const PreparedProblem& problem) {
     ground.books.push_back(book);
     ground.start_views.push_back(problem.members()[m].stay->cells);
     ground.first_sight = ground.first_sight && book->first_sight();
-    if (!book->first_sight()) continue;
-    for (const std::int32_t cell : ground.start_views.back()) mass[static_cast<std::size_t>(cell)] = 0.0;
   }
   ground.unpromised.assign(mass.begin(), mass.end());
   return ground;

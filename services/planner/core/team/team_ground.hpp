@@ -11,7 +11,7 @@ namespace tandem {
 struct TeamGround {
   const PreparedProblem* problem = nullptr;
   std::vector<LegBook*> books;                         ///< per member
-  std::vector<std::vector<std::int32_t>> start_views;  ///< per member, cells in view from its start
+  std::vector<std::vector<std::int32_t>> start_views;  ///< per member, cells in view while it turns at its start
   std::vector<float> mass;                             ///< per cell, of all objects together
   std::vector<float> unpromised;                       ///< what is left of it after what is looked at anyway
   bool first_sight = false;                            ///< all find what they see
