@@ -33,8 +33,8 @@ class World:
         return True
 
     def way(self, member, is_goal):
-        """The cheapest way from the member's pose to a cell that is a goal; its pose alone if there is none."""
-        start = tuple(member["pose"][:2])
+        """The cheapest way from where the member's plan begins to a cell that is a goal; that alone if there is none."""
+        start = tuple(member["committed"][-1][1:] if member["committed"] else member["pose"][:2])
         open_list, done = [(0.0, start, (start,))], set()
         while open_list:
             cost, here, way = heapq.heappop(open_list)
@@ -52,8 +52,8 @@ class World:
         return (start,)
 
 
-def timed(way, speed):
-    path = [[0.0, *way[0]]]
+def timed(way, speed, committed):
+    path = list(committed) or [[0.0, *way[0]]]
     for here, there in zip(way, way[1:]):
         path.append([path[-1][0] + math.dist(here, there) / speed, *there])
     return path
@@ -69,5 +69,5 @@ for line in sys.stdin:
     for member in message["members"]:
         way = world.way(member, lambda cell: mass[cell] > 0.0 and cell not in taken)
         taken.update(i for i, p in enumerate(world.points) if math.dist(p, way[-1]) <= member["view_max_m"])
-        paths.append(timed(way, member["speed_mps"]))
+        paths.append(timed(way, member["speed_mps"], member["committed"]))
     print(json.dumps({"paths": paths}), flush=True)
