@@ -65,7 +65,7 @@ TEST(PlanCommand, AnotherProgramPlans) {
   const Outcome outcome = plan("planning/brl_search.json", "--json --planner 'exec:python3 " TANDEM_SOURCE_DIR
                                                            "/bench/planning/examples/nearest_unseen.py'");
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_GT(nlohmann::json::parse(outcome.output).at("p_found"), 0.1);
+  EXPECT_GT(nlohmann::json::parse(outcome.output).at("p_found"), 0.01);  // it plans one leg at a time
 }
 
 }  // namespace
