@@ -15,6 +15,7 @@
 #include "bench/planning/loop/first_plan.hpp"
 #include "bench/planning/loop/run_plan.hpp"
 #include "services/common/config.hpp"
+#include "services/planner/core/team/joint_walk.hpp"
 #include "services/planner/core/team/prepared_problem.hpp"
 #include "services/planner/core/team/route_value.hpp"
 
@@ -24,45 +25,18 @@ namespace {
 constexpr double kMeasureFor_ms = 1000.0;
 constexpr int kRoutes = 64;
 constexpr double kAllMissions_s = 5000.0;  ///< longer than any
-constexpr double kMissionFound = 0.98;     ///< a plan of the whole mission finds so much
 
-/// A random plan of the whole mission: whoever is free first goes to one of the three nearest lookouts not yet taken,
-/// until nearly all is found.
-Routes random_mission(const PreparedProblem& prepared, SearchObjective& objective, Rng& rng) {
-  const auto& members = prepared.members();
-  Routes routes(members.size());
-  std::vector<double> free_s(members.size(), 0.0);
-  std::vector<std::vector<bool>> taken;
-  for (const auto& member : members) taken.emplace_back(static_cast<std::size_t>(member.actions->lookouts()), false);
-  std::vector<Look> looks;
-  for (int step = 0;; ++step) {
-    const auto m = static_cast<std::size_t>(std::ranges::min_element(free_s) - free_s.begin());
-    const int from = routes[m].empty() ? members[m].start : routes[m].back();
-    std::vector<int> options;
-    for (const int lookout : members[m].actions->nearest_lookouts(from)) {
-      if (!taken[m][static_cast<std::size_t>(lookout)] && options.size() < 3) options.push_back(lookout);
-    }
-    if (options.empty()) {  // all near ones are taken: any other
-      for (int lookout = 0; lookout < members[m].actions->lookouts(); ++lookout) {
-        if (!taken[m][static_cast<std::size_t>(lookout)] && lookout != from) options.push_back(lookout);
-      }
-    }
-    if (options.empty()) return routes;
-    const int to = options[rng.index(options.size())];
-    taken[m][static_cast<std::size_t>(to)] = true;
-    for (std::size_t other = 0; other < members.size(); ++other) {
-      if (members[other].actions == members[m].actions) taken[other][static_cast<std::size_t>(to)] = true;
-    }
-    free_s[m] += members[m].actions->leg(from, to).duration_s;
-    routes[m].push_back(to);
-    if (step % 4 != 3) continue;
-    looks.clear();
-    for (std::size_t i = 0; i < members.size(); ++i) prepared.add_looks(i, routes[i], looks);
-    if (objective.forecast(looks).probability_found >= kMissionFound) return routes;
+/// A plan of the whole mission: whoever is free first takes one of the three best things to do, until all is seen.
+Routes greedy_mission(JointWalk& walk, Rng& rng) {
+  walk.restart();
+  for (int m = walk.next_member(); m >= 0; m = walk.next_member()) {
+    const auto choices = walk.choices(m, 3);
+    walk.choose(m, choices[rng.index(choices.size())].place);
   }
+  return walk.routes();
 }
 
-/// Random plans of the whole mission of an instance, all legs known.
+/// Plans of the whole mission of an instance, all legs known.
 struct Missions {
   explicit Missions(const MicroRecord::Key& key)
       : instance(instance_of(key.family, key.seed)), world(world_of(instance)) {
@@ -71,14 +45,16 @@ struct Missions {
     problem = problem_at_start(instance, *world, prior_mass(*world, instance));
     problem.horizon_s = kAllMissions_s;
     prepared = std::make_unique<PreparedProblem>(problem);
-    SearchObjective objective(problem.masses, problem.horizon_s, problem.tail_s);
+    ground = team_ground(*prepared);
+    JointWalk walk(ground, {});
     Rng rng{key.seed};
-    for (int i = 0; i < kRoutes; ++i) routes.push_back(random_mission(*prepared, objective, rng));
+    for (int i = 0; i < kRoutes; ++i) routes.push_back(greedy_mission(walk, rng));
   }
   PlanningInstance instance;
   std::unique_ptr<SearchWorld> world;
   SearchProblem problem;
   std::unique_ptr<PreparedProblem> prepared;
+  TeamGround ground;
   std::vector<Routes> routes;
 };
 
@@ -98,8 +74,7 @@ double values_per_s(const Missions& missions, const std::function<double(const R
 
 double evaluations_per_s(const MicroRecord::Key& key) {
   const Missions missions(key);
-  const TeamGround ground = team_ground(*missions.prepared);
-  RouteValue value(ground);
+  RouteValue value(missions.ground);
   return values_per_s(missions, [&](const Routes& routes) { return value.value_s(routes); });
 }
 
