@@ -66,10 +66,11 @@ const std::vector<Plans>& plans() {
 }
 
 const std::vector<Figures>& figures() {
-  static const std::vector<Figures> parts{{{8}, {"evaluations", "objective", "rollouts"}, {"S1u", "S1uR4"}, 2, 5},
-                                          {{9}, {"memory"}, {"S1u", "S2r2"}, 1, 1},
-                                          {{9}, {"memory"}, {"S3c2"}, 0, 1},
-                                          {{11}, {"reproducible", "searches"}, {"S1u"}, 1, 3}};
+  static const std::vector<Figures> parts{
+      {{8}, {"evaluations", "changes", "objective", "rollouts"}, {"S1u", "S1uR4"}, 2, 5},
+      {{9}, {"memory"}, {"S1u", "S2r2"}, 1, 1},
+      {{9}, {"memory"}, {"S3c2"}, 0, 1},
+      {{11}, {"reproducible", "searches"}, {"S1u"}, 1, 3}};
   return parts;
 }
 

@@ -104,7 +104,7 @@ std::vector<int> ActionSet::joined(int from, std::span<const int> places) {
     if (is_near(from, place)) {
       walk.push_back(place);
       from = place;
-    } else if (const auto stops = roads_.stops(from, place); !stops.empty()) {
+    } else if (const auto& stops = roads_.stops(from, place); !stops.empty()) {
       walk.insert(walk.end(), stops.begin(), stops.end());
       from = place;
     }

@@ -41,6 +41,7 @@ void RoadGraph::forget_added_places() {
   roads_known_.resize(count);
   rows_.erase(rows_.lower_bound(lookouts_), rows_.end());
   added_roads_.clear();
+  added_stops_.clear();
   all_paths_.erase(all_paths_.lower_bound(lookouts_), all_paths_.end());
 }
 
@@ -158,7 +159,15 @@ double RoadGraph::cost_m(int from, int to) {
   return std::isfinite(cost_m) ? cost_m : all_paths(from).cost_m[static_cast<std::size_t>(node(to))];
 }
 
-std::vector<int> RoadGraph::stops(int from, int to) {
+const std::vector<int>& RoadGraph::stops(int from, int to) {
+  auto& known = from < lookouts_ && to < lookouts_ ? stops_ : added_stops_;
+  const auto key = static_cast<std::uint64_t>(from) << 32U | static_cast<std::uint32_t>(to);
+  const auto [entry, is_new] = known.try_emplace(key);
+  if (is_new) entry->second = found_stops(from, to);
+  return entry->second;
+}
+
+std::vector<int> RoadGraph::found_stops(int from, int to) {
   if (from == to || node(from) == node(to) || road_between(from, to) != nullptr) return {to};
   int last = -1;  // the last lookout on the way
   double best_m = kInfinity;

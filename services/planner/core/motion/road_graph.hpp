@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -38,11 +39,12 @@ class RoadGraph {
   /// The cost of the way from one place to another [m], infinite if there is none.
   [[nodiscard]] double cost_m(int from, int to);
   /// Reaches lookouts from `from` over roads in the order of their cost, and calls `reached` with each, `from` itself
-  /// not among them; stops when it gives false. `reached` must not ask for ways itself. Looks no further than that, whatever the size of the map.
+  /// not among them; stops when it gives false. `reached` must not ask for ways itself. Looks no further than that,
+  /// whatever the size of the map.
   void explore(int from, const std::function<bool(int lookout, double cost_m)>& reached);
   /// The places that way leads over, `to` the last, each near to the one before; only {to} where lookouts nearby do
   /// not lead there; empty if there is no way.
-  [[nodiscard]] std::vector<int> stops(int from, int to);
+  [[nodiscard]] const std::vector<int>& stops(int from, int to);
   /// The nodes of the direct way from one place to another; empty if there is none.
   [[nodiscard]] std::vector<int> nodes(int from, int to);
 
@@ -50,6 +52,7 @@ class RoadGraph {
   [[nodiscard]] int node(int place) const { return nodes_[static_cast<std::size_t>(place)]; }
 
  private:
+  [[nodiscard]] std::vector<int> found_stops(int from, int to);
   /// Per lookout the cost of the cheapest way there over roads [m].
   [[nodiscard]] const std::vector<float>& row(int from);
   [[nodiscard]] const Road* road_between(int from, int to);
@@ -68,7 +71,9 @@ class RoadGraph {
   std::vector<bool> roads_known_;
   std::map<int, std::vector<float>> rows_;
   std::map<std::pair<int, int>, Road> added_roads_;
-  std::map<int, ShortestPaths> all_paths_;  ///< where lookouts nearby do not lead everywhere
+  std::unordered_map<std::uint64_t, std::vector<int>> stops_;        ///< by both lookouts
+  std::unordered_map<std::uint64_t, std::vector<int>> added_stops_;  ///< where one of them was added
+  std::map<int, ShortestPaths> all_paths_;                           ///< where lookouts nearby do not lead everywhere
   LocalSearch search_;
   // Of the last exploration.
   struct Open {

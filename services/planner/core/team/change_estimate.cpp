@@ -149,27 +149,35 @@ bool ChangeEstimate::find_change(std::size_t member, const std::vector<int>& tri
 
 double ChangeEstimate::later_by(Change& change, const std::vector<int>& trial) {
   const std::vector<std::int32_t>& legs = legs_[change.member];
+  // Plain pointers: what is written below could be what vectors point with, as far as the compiler knows.
   const float* mass = ground_->mass.data();
-  double later = 0.0;
-  const auto first_of_trial_s = [&](std::size_t cell) -> float& {
-    float& first_s = trial_first_s_[cell];
-    if (touched_in_[cell] != pass_) {
-      touched_in_[cell] = pass_;
-      first_s = time_s(sights_[cell].first);
-    }
-    return first_s;
+  const Sight* sights = sights_.data();
+  const float* start_s = start_s_.data();
+  float* trial_first_s = trial_first_s_.data();
+  std::uint32_t* touched_in = touched_in_.data();
+  const std::uint32_t pass = pass_;
+  const float horizon_s = horizon_s_;
+  const float end_s = end_s_;
+  const auto time_of = [=](const Seen& seen) {
+    const float at_s = start_s[seen.visit] + seen.enter_s;
+    return at_s < horizon_s ? at_s : end_s;
   };
+  const auto first_of_trial = [=](std::int32_t cell) {
+    return touched_in[cell] == pass ? trial_first_s[cell] : time_of(sights[cell].first);
+  };
+  double later = 0.0;
   for (std::size_t k = change.first; k < change.last; ++k) {
-    for (const std::int32_t c : visits_[static_cast<std::size_t>(legs[k])].leg->cells) {
-      const auto cell = static_cast<std::size_t>(c);
-      const Sight& sight = sights_[cell];
-      if (sight.first.visit != legs[k]) continue;
-      float& first_s = first_of_trial_s(cell);
-      const float second_s = time_s(sight.second);
+    float later_by_leg = 0.0F;
+    for (const std::int32_t cell : visits_[static_cast<std::size_t>(legs[k])].leg->cells) {
+      if (sights[cell].first.visit != legs[k]) continue;
+      const float first_s = first_of_trial(cell);
+      const float second_s = time_of(sights[cell].second);
       if (first_s >= second_s) continue;
-      later += mass[cell] * (second_s - first_s);
-      first_s = second_s;
+      later_by_leg += mass[cell] * (second_s - first_s);
+      trial_first_s[cell] = second_s;
+      touched_in[cell] = pass;
     }
+    later += later_by_leg;
   }
   const PreparedProblem::Member& who = ground_->problem->members()[change.member];
   LegBook& book = *ground_->books[change.member];
@@ -177,22 +185,26 @@ double ChangeEstimate::later_by(Change& change, const std::vector<int>& trial) {
   int place = who.start;
   if (change.first > 0) {
     const auto before = static_cast<std::size_t>(legs[change.first - 1]);
-    now_s = static_cast<double>(start_s_[before]) + visits_[before].leg->duration_s;
+    now_s = static_cast<double>(start_s[before]) + visits_[before].leg->duration_s;
     place = trial[change.first - 1];
   }
   change.start_s = now_s;
   for (std::size_t k = change.from; k < change.to; ++k) {
     const CompactLeg& leg = book.leg(place, trial[k]);
     const auto leg_start_s = static_cast<float>(now_s);
-    for (std::size_t i = 0; i < leg.cells.size(); ++i) {
-      const auto cell = static_cast<std::size_t>(leg.cells[i]);
-      const float seen_s = leg_start_s + leg.enter_s[i];
-      const float before_s = touched_in_[cell] == pass_ ? trial_first_s_[cell] : time_s(sights_[cell].first);
-      if (seen_s >= before_s || seen_s >= horizon_s_) continue;
-      later -= mass[cell] * (before_s - seen_s);
-      touched_in_[cell] = pass_;
-      trial_first_s_[cell] = seen_s;
+    const std::int32_t* cells = leg.cells.data();
+    const float* enter_s = leg.enter_s.data();
+    float sooner_by_leg = 0.0F;
+    for (std::size_t i = 0, count = leg.cells.size(); i < count; ++i) {
+      const std::int32_t cell = cells[i];
+      const float seen_s = leg_start_s + enter_s[i];
+      const float first_s = first_of_trial(cell);
+      if (seen_s >= first_s || seen_s >= horizon_s) continue;
+      sooner_by_leg += mass[cell] * (first_s - seen_s);
+      touched_in[cell] = pass;
+      trial_first_s[cell] = seen_s;
     }
+    later -= sooner_by_leg;
     now_s += leg.duration_s;
     place = trial[k];
   }

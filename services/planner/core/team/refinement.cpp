@@ -52,8 +52,8 @@ bool Refinement::improve(int moves, Rng& rng) {
   static constexpr struct {
     Move move;
     double share;
-  } kMoves[] = {{Move::Replace, 0.22}, {Move::Relocate, 0.22}, {Move::Insert, 0.12}, {Move::Remove, 0.12},
-                {Move::Piece, 0.12},   {Move::Reverse, 0.10},  {Move::Swap, 0.05},   {Move::Tails, 0.05}};
+  } kMoves[] = {{Move::Replace, 0.23}, {Move::Relocate, 0.23}, {Move::Insert, 0.12}, {Move::Remove, 0.12},
+                {Move::Piece, 0.12},   {Move::Reverse, 0.10},  {Move::Swap, 0.05},   {Move::Tails, 0.03}};
   const double before_s = best_s_;
   for (int i = 0; i < moves; ++i, ++in_cycle_) {
     if (in_cycle_ == cycle_) {
