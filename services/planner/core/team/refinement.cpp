@@ -8,7 +8,9 @@ namespace {
 
 constexpr std::size_t kLongestPiece = 5;
 constexpr std::size_t kLongestReversal = 12;
-constexpr int kMostDrift = 200;  ///< changes accepted by estimate until the value is made exact again
+constexpr double kHeating = 3.0;   ///< after a cycle that found nothing better, the next begins so much warmer
+constexpr double kHottest = 10.0;  ///< times the warmth at first
+constexpr int kMostDrift = 200;    ///< changes accepted by estimate until the value is made exact again
 
 auto at(std::vector<int>& places, std::size_t position) {
   return places.begin() + static_cast<std::ptrdiff_t>(position);
@@ -38,6 +40,8 @@ void Refinement::restart(const Routes& routes, double value_s) {
   take(best_, best_s_);
   in_cycle_ = 0;
   cycle_ = options_.cycle;
+  heat_ = 1.0;
+  best_before_s_ = best_s_;
   fixed_.assign(routes.size(), 0);
   for (std::size_t m = 0; m < routes.size(); ++m) {
     const auto& goal = ground_->problem->members()[m].goal;
@@ -57,6 +61,8 @@ bool Refinement::improve(int moves, Rng& rng) {
   const double before_s = best_s_;
   for (int i = 0; i < moves; ++i, ++in_cycle_) {
     if (in_cycle_ == cycle_) {
+      heat_ = best_s_ < best_before_s_ - 1e-9 ? 1.0 : std::min(kHottest, kHeating * heat_);
+      best_before_s_ = best_s_;
       in_cycle_ = 0;
       cycle_ *= 2;
       take(best_, best_s_);
@@ -67,7 +73,8 @@ bool Refinement::improve(int moves, Rng& rng) {
     trial_ = current_;
     if (!make_trial(kMoves[kind].move, rng) || !join(rng)) continue;
     const double progress = static_cast<double>(in_cycle_) / static_cast<double>(cycle_);
-    const double temperature_s = best_s_ * options_.warmth * std::pow(options_.coldness / options_.warmth, progress);
+    const double warmth = heat_ * options_.warmth;
+    const double temperature_s = best_s_ * warmth * std::pow(options_.coldness / warmth, progress);
     judge(temperature_s, rng.uniform());
   }
   if (drifted_ > 0 && current_s_ < best_s_ - 1e-9) {

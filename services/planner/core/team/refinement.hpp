@@ -82,8 +82,10 @@ class Refinement {
   std::vector<std::size_t> fixed_;  ///< per member, places at the beginning of its route that stay
   std::vector<int> piece_;
   std::vector<int> other_piece_;
-  std::int64_t cycle_ = 0;     ///< moves of this one
-  std::int64_t in_cycle_ = 0;  ///< of them made
+  double heat_ = 1.0;           ///< of this cycle, times the warmth
+  double best_before_s_ = 0.0;  ///< when this cycle began
+  std::int64_t cycle_ = 0;      ///< moves of this one
+  std::int64_t in_cycle_ = 0;   ///< of them made
   std::int64_t judged_ = 0;
 };
 
