@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::size_t kLongestPiece = 5;
 constexpr std::size_t kLongestReversal = 12;
-constexpr double kHeating = 3.0;   ///< after a cycle that found nothing better, the next begins so much warmer
-constexpr double kHottest = 10.0;  ///< times the warmth at first
-constexpr int kMostDrift = 200;    ///< changes accepted by estimate until the value is made exact again
+constexpr double kHeating = 3.0;  ///< after a cycle that found nothing better, the next begins so much warmer
+constexpr double kHottest = 4.0;  ///< times the warmth at first
+constexpr int kMostDrift = 200;   ///< changes accepted by estimate until the value is made exact again
 
 auto at(std::vector<int>& places, std::size_t position) {
   return places.begin() + static_cast<std::ptrdiff_t>(position);

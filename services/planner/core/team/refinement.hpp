@@ -12,7 +12,7 @@
 namespace tandem {
 
 struct RefinementOptions {
-  double warmth = 0.002;     ///< at first, how much worse a move may be to be taken with 1/e, as a share of the value
+  double warmth = 0.012;     ///< at first, how much worse a move may be to be taken with 1/e, as a share of the value
   double coldness = 0.0001;  ///< the same at the end of a cycle
   int cycle = 20000;         ///< moves from warm to cold at first; then again from the best with twice as many
   int neighbours = 8;        ///< lookouts near a place that moves look at

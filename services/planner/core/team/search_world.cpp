@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace tandem {
@@ -15,9 +16,11 @@ constexpr double kLookoutShareOfView = 0.8;
 SearchWorld::SearchWorld(std::vector<OccupancyGrid> layers, SearchWorldOptions options)
     : layers_(std::move(layers)), options_(std::move(options)), area_(layers_.front(), options_.area) {
   assert(!options_.searchers.empty());
-  double range_m = 0.0;
-  for (const Searcher& searcher : options_.searchers) range_m = std::max(range_m, searcher.view_max_m);
-  for (const OccupancyGrid& layer : layers_) sights_.push_back(std::make_unique<Observability>(layer, area_, range_m));
+  double view_max_m = 0.0;
+  for (const Searcher& searcher : options_.searchers) view_max_m = std::max(view_max_m, searcher.view_max_m);
+  for (const OccupancyGrid& layer : layers_) {
+    sights_.push_back(std::make_unique<Observability>(layer, area_, view_max_m));
+  }
   for (std::size_t i = 0; i < options_.searchers.size(); ++i) {
     const Searcher& searcher = options_.searchers[i];
     const auto same = std::ranges::find_if(
@@ -28,7 +31,8 @@ SearchWorld::SearchWorld(std::vector<OccupancyGrid> layers, SearchWorldOptions o
     capability.searcher = searcher;
     capability.options.lookout_range_m =
         i < options_.lookout_range_m.size() ? options_.lookout_range_m[i] : kLookoutShareOfView * searcher.view_max_m;
-    capability.options.least_gain_m2 = options_.least_gain_m2;
+    const double range_m = capability.options.lookout_range_m;
+    capability.options.least_gain_m2 = options_.least_gain_share * std::numbers::pi * range_m * range_m;
     capability.options.nearest = options_.nearest;
     capability.views = std::make_unique<ViewTable>(observability(searcher.layer), searcher);
     capability.actions = std::make_unique<ActionSet>(map(searcher.layer), *capability.views, capability.options,

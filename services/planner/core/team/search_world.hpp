@@ -14,8 +14,8 @@ struct SearchWorldOptions {
   SearchAreaOptions area;
   std::vector<Searcher> searchers;      ///< At least one.
   std::vector<double> lookout_range_m;  ///< Of each searcher; empty: 0.8 of its view.
-  double least_gain_m2 = 1.0;           ///< See ActionSetOptions.
-  int nearest = 14;                     ///< See ActionSetOptions.
+  double least_gain_share = 0.0625;     ///< What a lookout must add, as a share of the disc of its range.
+  int nearest = 16;                     ///< See ActionSetOptions.
 };
 
 /// What stays the same from plan to plan: the maps, the area on them, who sees what from where, and what each
