@@ -9,6 +9,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double kBorder_m = 1e-6;  ///< borders so near to each other are crossed at once
+
 /// Collects what is in view in consecutive spans of time.
 class Collector {
  public:
@@ -72,10 +74,15 @@ Sightings sightings_along(const TimedPath& path, double initial_heading_rad, Vie
     add_crossings(start.x(), start.x() + way.x(), shares);
     add_crossings(start.y(), start.y() + way.y(), shares);
     std::sort(shares.begin(), shares.end());
+    // Through the corner of a cell both borders are crossed at once; rounding must not put a third cell in between.
+    const double apart = kBorder_m / std::max(kBorder_m, way.norm() * area.cell_size_m());
+    const auto is_same = [apart](double a, double b) { return b - a < apart; };
+    shares.erase(std::unique(shares.begin(), shares.end(), is_same), shares.end());
+    shares.front() = 0.0;
+    shares.back() = 1.0;
     for (std::size_t k = 1; k < shares.size(); ++k) {
-      const double a = std::clamp(shares[k - 1], 0.0, 1.0);
-      const double b = std::clamp(shares[k], 0.0, 1.0);
-      if (b <= a) continue;
+      const double a = shares[k - 1];
+      const double b = shares[k];
       const int standpoint = standpoint_of(observability, start + 0.5 * (a + b) * way);
       collector.span(standpoint, sector, from.time_s + a * duration_s, from.time_s + b * duration_s);
     }

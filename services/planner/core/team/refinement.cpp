@@ -91,7 +91,7 @@ void Refinement::judge(double temperature_s, double u) {
   // A late change decides on little; at one temperature for all, nearly every one of them would be taken.
   if (change_s) temperature_s *= estimate_->share_at_stake();
   if (trial_s > current_s_ - temperature_s * std::log(1.0 - u)) return;
-  if (change_s && *change_s > -1e-9 && is_longer()) return;
+  if (trial_s > current_s_ - 1e-9 && is_longer()) return;  // places that nobody gets to would pile up
   std::swap(current_, trial_);
   if (change_s && drifted_ < kMostDrift) {
     estimate_->accept(current_);

@@ -128,6 +128,24 @@ inline void RouteValue::look(std::int32_t cell, double from_s, float kept, float
   left *= kept;
 }
 
+/// All looks of a leg that ends before the horizon.
+void RouteValue::look_along(const CompactLeg& leg, float start_s, float rate_inverse_s) {
+  const float* mass = ground_->mass.data();
+  float* left = left_.data();
+  const std::int32_t* cells = leg.cells.data();
+  const float* enter_s = leg.enter_s.data();
+  const float* stay_s = leg.stay_s.data();
+  const float* kept = leg.kept.data();
+  const float rest_s = end_s_ - start_s - rate_inverse_s;  // what finding at its beginning saves
+  float saved = 0.0F;
+  for (std::size_t i = 0, count = leg.cells.size(); i < count; ++i) {
+    float& here = left[cells[i]];
+    saved += mass[cells[i]] * here * ((1.0F - kept[i]) * (rest_s - enter_s[i]) + kept[i] * stay_s[i]);
+    here *= kept[i];
+  }
+  saved_ += saved;
+}
+
 double RouteValue::with_rates_s(const Course& course, const Routes& routes) {
   left_.assign(ground_->mass.size(), 1.0F);
   saved_ = 0.0;
@@ -180,6 +198,8 @@ double RouteValue::with_rates_s(const Course& course, const Routes& routes) {
         if (seen_s >= horizon_s) break;
         look(leg.cells[i], seen_s, 0.0F, 0.0F, seen_s);
       }
+    } else if (at.time_s + leg.duration_s <= horizon_s) {
+      look_along(leg, static_cast<float>(at.time_s), static_cast<float>(1.0 / rate_per_s));
     } else {
       for (std::size_t i = 0; i < leg.cells.size(); ++i) {
         const double from_s = at.time_s + leg.enter_s[i];

@@ -42,6 +42,7 @@ class RouteValue {
   void add_course(double weight, int astray, const PathHypothesis* hypothesis);
   [[nodiscard]] double first_sight_s(const Course& course, const Routes& routes);
   [[nodiscard]] double with_rates_s(const Course& course, const Routes& routes);
+  void look_along(const CompactLeg& leg, float start_s, float rate_inverse_s);
   void look(std::int32_t cell, double from_s, float kept, float rate_inverse_s, double to_s);
   [[nodiscard]] bool is_rejected(const Routes& routes) const;
 

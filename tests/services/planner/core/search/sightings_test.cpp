@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 
+#include "services/common/random.hpp"
 #include "services/planner/core/search/search_objective.hpp"
 #include "tests/services/planner/support/room.hpp"
 
@@ -36,6 +38,28 @@ TEST(Sightings, ACellComesIntoViewWhenTheBorderOfAStandpointIsCrossed) {
   EXPECT_NEAR(enter_s(seen, corridor.cell(2.75)), 0.75, 1e-9);
   EXPECT_NEAR(seen.leave_s[0], 1.25, 1e-9);  // the first cell leaves when the third border is crossed
   EXPECT_TRUE(std::is_sorted(seen.enter_s.begin(), seen.enter_s.end()));
+}
+
+TEST(Sightings, OnAWayThroughTheCornerOfCellsNobodyLooksFromTheOtherTwo) {
+  const OccupancyGrid map = empty_room(8, 8);
+  const SearchArea area(map, {.walk_clearance_m = 0.1, .start_in_map = {4.0, 4.0}, .outline_in_map = {}});
+  Observability observability(map, area, 1.6);
+  Searcher person{.id = "person", .speed_mps = 1.0, .view_max_m = 1.6};
+  ViewTable views(observability, person);
+  const Eigen::Vector2d corner{4.5, 4.5};
+  Rng rng{5};
+  for (int i = 0; i < 200; ++i) {
+    const Eigen::Vector2d there{rng.uniform(0.05, 0.45), rng.uniform(0.05, 0.45)};
+    const Eigen::Vector2d from = corner - there;
+    const Eigen::Vector2d to = corner + rng.uniform(0.2, 1.0) * there;
+    const Sightings seen = sightings_along({{{0.0, from}, {1.0, to}}}, 0.0, views);
+    View expected;
+    std::ranges::set_union(views.view(*area.cell_at(from), 0), views.view(*area.cell_at(to), 0),
+                           std::back_inserter(expected));
+    View cells(seen.cells.begin(), seen.cells.end());
+    std::ranges::sort(cells);
+    EXPECT_EQ(cells, expected) << i;
+  }
 }
 
 TEST(Sightings, APathSeenInPiecesShowsTheSameAsInOne) {

@@ -40,7 +40,7 @@ TEST(RouteValue, EqualsTheObjectiveWhereSeenIsFound) {
   for (int i = 0; i < 20; ++i) {
     const Routes routes = random_routes(ground, rng);
     EXPECT_NEAR(value.value_s(routes), value.exact_s(routes), 1e-3) << i;
-    EXPECT_NEAR(value.value_s(routes), prepared.plan(routes).value_s, 0.1) << i;
+    EXPECT_NEAR(value.value_s(routes), prepared.plan(routes).value_s, 1e-3) << i;
   }
 }
 
