@@ -66,7 +66,10 @@ std::optional<int> ActionSet::add_place(const Vector2d& point_in_map, double rea
 const std::vector<int>& ActionSet::nearest_lookouts(int from) {
   auto& nearest = nearest_[static_cast<std::size_t>(from)];
   if (nearest.empty()) {
-    for (const RoadGraph::Road& road : roads_.roads(from)) nearest.push_back(road.to);
+    for (const RoadGraph::Road& road : roads_.roads(from)) {
+      if (static_cast<int>(nearest.size()) == options_.nearest) break;
+      nearest.push_back(road.to);
+    }
   }
   return nearest;
 }
@@ -91,10 +94,10 @@ const Leg& ActionSet::leg(int from, int to) {
 
 bool ActionSet::is_near(int from, int to) {
   if (from >= lookouts() && to >= lookouts()) return is_connected(from, to);
-  const auto is_among = [](const std::vector<int>& near, int place) {
-    return std::ranges::find(near, place) != near.end();
+  const auto leads_to = [](const std::vector<RoadGraph::Road>& roads, int place) {
+    return std::ranges::find(roads, place, &RoadGraph::Road::to) != roads.end();
   };
-  return is_among(nearest_lookouts(from), to) || (to >= lookouts() && is_among(nearest_lookouts(to), from));
+  return leads_to(roads_.roads(from), to) || (to >= lookouts() && leads_to(roads_.roads(to), from));
 }
 
 std::vector<int> ActionSet::joined(int from, std::span<const int> places) {

@@ -74,7 +74,8 @@ class ActionSet {
   void explore(int from, const std::function<bool(int lookout, double distance_m)>& reached) {
     roads_.explore(from, reached);
   }
-  /// Whether a leg needs no stop in between: one to a lookout among the nearest, and one between added places.
+  /// Whether a leg needs no stop in between: one from a lookout to one of the nearest, one from or to an added place as
+  /// far as four times as many lookouts, and one between added places.
   [[nodiscard]] bool is_near(int from, int to);
   /// The lookouts nearest to a place, itself not among them.
   [[nodiscard]] const std::vector<int>& nearest_lookouts(int from);

@@ -9,6 +9,8 @@ namespace tandem {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// A plan begins at an added place, perhaps far from what is worth seeing, and ends at one: times `nearest`.
+constexpr std::size_t kRoadsOfAdded = 4;
 
 }  // namespace
 
@@ -49,11 +51,12 @@ const std::vector<RoadGraph::Road>& RoadGraph::roads(int place) {
   const auto p = static_cast<std::size_t>(place);
   if (roads_known_[p]) return roads_[p];
   roads_known_[p] = true;
+  const std::size_t most = place < lookouts_ ? nearest_ : kRoadsOfAdded * nearest_;
   search_.run(node(place), [&](int reached, double cost_m) {
     const int there = place_at_[static_cast<std::size_t>(reached)];
     if (there < 0 || there == place) return true;
     roads_[p].push_back({there, cost_m, search_.nodes_to(reached)});
-    return roads_[p].size() < nearest_;
+    return roads_[p].size() < most;
   });
   return roads_[p];
 }

@@ -13,7 +13,8 @@
 namespace tandem {
 
 /// The ways between places: each is joined to the lookouts nearest to it, further ones are reached over those in
-/// between. So nothing here grows with the square of the map. Added places are joined to each other, too.
+/// between. So nothing here grows with the square of the map. Added places are joined to more lookouts, and to each
+/// other.
 ///
 /// Places 0 .. lookouts - 1 are lookouts, others are added and forgotten again. Ways are found when first asked for and
 /// kept.

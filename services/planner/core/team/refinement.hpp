@@ -16,7 +16,7 @@ struct RefinementOptions {
   double coldness = 0.0001;  ///< the same at the end of a cycle
   int cycle = 20000;         ///< moves from warm to cold at first; then again from the best with twice as many
   int neighbours = 8;        ///< lookouts near a place that moves look at
-  double far_legs = 0.2;     ///< how often a move may lead to lookouts that are not near, over those in between
+  double far_legs = 0.5;     ///< how often a move may lead to lookouts that are not near, over those in between
 };
 
 /// Makes routes better by small moves: insert, remove, relocate, replace, swap, reverse, move a piece, swap tails;
