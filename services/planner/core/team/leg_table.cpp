@@ -31,6 +31,7 @@ class Builder {
 
   LegTable table() {
     add_capabilities();
+    make_room();
     for (std::size_t i = 0; i < near_.size(); ++i) free_starts(i);
     for (std::size_t i = 0; i < near_.size(); ++i) add_rows(i);
     trim_first_legs();
@@ -56,6 +57,16 @@ class Builder {
     for (LegTable::Capability& capability : table_.capabilities) capability.share /= total;
   }
 
+  void make_room() {
+    std::size_t sightings = 0;
+    for (const NearLegs& near : near_) {
+      for (const NearLegs::Entry& entry : near.legs) sightings += entry.leg->seen.size();
+    }
+    table_.cells.reserve(sightings);
+    table_.detected.reserve(sightings);
+    table_.time_s.reserve(sightings);
+  }
+
   void free_starts(std::size_t capability) {
     if (!finds_at_once(capability)) return;
     for (const std::size_t m : near_[capability].members) {
@@ -75,81 +86,83 @@ class Builder {
 
   void add_rows(std::size_t capability) {
     const bool turns = !searcher(capability).sees_all_around();
+    const bool finds = finds_at_once(capability);
     const double rate_per_s = searcher(capability).detection_rate_per_s;
-    if (turns && !finds_at_once(capability)) {
+    if (turns && !finds) {
       for (const std::size_t m : near_[capability].members) {
         add_turn(capability, *members_[m].stay, members_[m].start_s);
       }
     }
-    int from = -1;
-    std::vector<std::int32_t> found;
     for (const NearLegs::Entry& entry : near_[capability].legs) {
       const Leg& leg = *entry.leg;
       const double begin_s = near_[capability].earliest_s[static_cast<std::size_t>(entry.from)];
-      if (entry.from != from) found = found_on_arrival(capability, from = entry.from);
-      begin_row(capability, leg.duration_s, begin_s, found);
-      for (std::size_t i = 0; i < leg.seen.size(); ++i) {
-        const double stay_s = leg.seen.leave_s[i] - leg.seen.enter_s[i];
-        add(leg.seen.cells[i], finds_at_once(capability) ? 1.0 : -std::expm1(-rate_per_s * stay_s),
-            leg.seen.enter_s[i], begin_s);
+      begin_row(capability, leg.duration_s, begin_s);
+      std::size_t i = 0;
+      if (is_found_on_arrival(capability, entry.from)) {
+        for (; i < leg.seen.size() && leg.seen.enter_s[i] <= 0.0; ++i) leave_out(leg.seen.cells[i]);
       }
-      if (turns && finds_at_once(capability)) {
+      for (; i < leg.seen.size(); ++i) {
+        const double stay_s = leg.seen.leave_s[i] - leg.seen.enter_s[i];
+        add(leg.seen.cells[i], finds ? 1.0 : -std::expm1(-rate_per_s * stay_s), leg.seen.enter_s[i], begin_s);
+      }
+      if (turns && finds) {
         for (const std::int32_t cell : leg.stay.cells) add(cell, 1.0, leg.duration_s, begin_s);
       }
       end_row();
-      if (turns && !finds_at_once(capability)) add_turn(capability, leg.stay, begin_s + leg.duration_s);
+      if (turns && !finds) add_turn(capability, leg.stay, begin_s + leg.duration_s);
     }
   }
 
-  /// What whoever sets out from `place` found there when they came.
-  [[nodiscard]] std::vector<std::int32_t> found_on_arrival(std::size_t capability, int place) const {
-    const Eigen::Vector2d& point = near_[capability].actions->place(place);
-    // On a border of search cells the view on arrival is that of the cell one comes from.
-    if (!finds_at_once(capability) || !searcher(capability).sees_all_around() || is_on_border(world_.area(), point)) {
-      return {};
-    }
-    return sightings_of_stay({point.x(), point.y(), 0.0}, world_.views(near_[capability].searcher)).cells;
+  /// Whether who sets out from `place` has found what is in view there. On a border of search cells the view on arrival
+  /// is that of the cell one comes from.
+  [[nodiscard]] bool is_found_on_arrival(std::size_t capability, int place) const {
+    return finds_at_once(capability) && searcher(capability).sees_all_around() &&
+           !is_on_border(world_.area(), near_[capability].actions->place(place));
   }
 
   /// A second of turning; detection is at most its rate times the time.
   void add_turn(std::size_t capability, const Sightings& view, double earliest_s) {
-    begin_row(capability, 1.0, kInfinity, {});
+    begin_row(capability, 1.0, kInfinity);
     for (const std::int32_t cell : view.cells) add(cell, searcher(capability).detection_rate_per_s, 0.0, earliest_s);
     end_row();
   }
 
-  void begin_row(std::size_t capability, double duration_s, double begin_s, const std::vector<std::int32_t>& found) {
-    const double share = table_.capabilities[capability].share;
-    table_.rows.push_back({std::max(kLeastBudget_s, share * duration_s), begin_s, table_.cells.size(), 0, capability});
+  void begin_row(std::size_t capability, double duration_s, double begin_s) {
+    share_ = table_.capabilities[capability].share;
+    table_.rows.push_back({std::max(kLeastBudget_s, share_ * duration_s), begin_s, table_.cells.size(), 0, capability});
     ++row_;
-    for (const std::int32_t cell : found) {
-      row_of_[static_cast<std::size_t>(cell)] = row_;
-      entry_of_[static_cast<std::size_t>(cell)] = kFound;
-    }
+  }
+
+  void leave_out(std::int32_t cell) {
+    row_of_[static_cast<std::size_t>(cell)] = row_;
+    entry_of_[static_cast<std::size_t>(cell)] = kLeftOut;
   }
 
   void add(std::int32_t cell, double detected, double after_s, double begin_s) {
     const auto c = static_cast<std::size_t>(cell);
-    if (mass_[c] <= 0.0) return;
-    bring_into_view(c, begin_s + after_s);
-    if (table_.is_free[c]) return;
-    LegTable::Capability& capability = table_.capabilities[table_.rows.back().capability];
     if (row_of_[c] != row_) {
+      if (mass_[c] <= 0.0) return leave_out(cell);
+      bring_into_view(c, begin_s + after_s);
+      if (table_.is_free[c]) return leave_out(cell);
       row_of_[c] = row_;
       entry_of_[c] = table_.cells.size();
+      if (entry_of_[c] == table_.rows.back().begin) {
+        double& first_s = table_.capabilities[table_.rows.back().capability].first_s;
+        first_s = std::min(first_s, begin_s + after_s);
+      }
       table_.cells.push_back(cell);
       table_.detected.push_back(static_cast<float>(detected));
-      table_.time_s.push_back(static_cast<float>(capability.share * after_s));
-      capability.first_s = std::min(capability.first_s, begin_s + after_s);
-    } else if (entry_of_[c] != kFound) {
+      table_.time_s.push_back(static_cast<float>(share_ * after_s));
+    } else if (entry_of_[c] != kLeftOut && detected < 1.0) {
       float& before = table_.detected[entry_of_[c]];
       before = static_cast<float>(1.0 - (1.0 - before) * (1.0 - detected));
     }
   }
 
   void end_row() {
-    table_.rows.back().end = table_.cells.size();
-    if (table_.rows.back().begin == table_.rows.back().end) table_.rows.pop_back();
+    LegTable::Row& row = table_.rows.back();
+    row.end = table_.cells.size();
+    if (row.begin == row.end) table_.rows.pop_back();
   }
 
   void bring_into_view(std::size_t cell, double time_s) {
@@ -169,13 +182,14 @@ class Builder {
     }
   }
 
-  static constexpr std::size_t kFound = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t kLeftOut = std::numeric_limits<std::size_t>::max();
 
   LegTable table_;
   SearchWorld& world_;
   const std::vector<PreparedProblem::Member>& members_;
   const std::vector<NearLegs>& near_;
   const std::vector<double>& mass_;
+  double share_ = 0.0;  ///< of the row's member
   std::uint32_t row_ = 0;
   std::vector<std::uint32_t> row_of_;    ///< per cell, the last row that shows it
   std::vector<std::size_t> entry_of_;  ///< and its entry there
