@@ -51,7 +51,8 @@ class Builder {
     for (std::size_t i = 0; i < near_.size(); ++i) {
       const double share = searcher(i).speed_mps * searcher(i).view_max_m;
       table_.capabilities.push_back(
-          {share, searcher(i).speed_mps, searcher(i).detection_rate_per_s, kInfinity, near_[i].members});
+          {share, searcher(i).speed_mps, searcher(i).view_max_m, searcher(i).detection_rate_per_s, kInfinity,
+           near_[i].members});
       total += share * static_cast<double>(near_[i].members.size());
     }
     for (LegTable::Capability& capability : table_.capabilities) capability.share /= total;
@@ -96,7 +97,7 @@ class Builder {
     for (const NearLegs::Entry& entry : near_[capability].legs) {
       const Leg& leg = *entry.leg;
       const double begin_s = near_[capability].earliest_s[static_cast<std::size_t>(entry.from)];
-      begin_row(capability, leg.duration_s, begin_s);
+      begin_row(capability, leg.duration_s, begin_s, entry.from, entry.to);
       std::size_t i = 0;
       if (is_found_on_arrival(capability, entry.from)) {
         for (; i < leg.seen.size() && leg.seen.enter_s[i] <= 0.0; ++i) leave_out(leg.seen.cells[i]);
@@ -122,14 +123,15 @@ class Builder {
 
   /// A second of turning; detection is at most its rate times the time.
   void add_turn(std::size_t capability, const Sightings& view, double earliest_s) {
-    begin_row(capability, 1.0, kInfinity);
+    begin_row(capability, 1.0, kInfinity, -1, -1);
     for (const std::int32_t cell : view.cells) add(cell, searcher(capability).detection_rate_per_s, 0.0, earliest_s);
     end_row();
   }
 
-  void begin_row(std::size_t capability, double duration_s, double begin_s) {
+  void begin_row(std::size_t capability, double duration_s, double begin_s, int from, int to) {
     share_ = table_.capabilities[capability].share;
-    table_.rows.push_back({std::max(kLeastBudget_s, share_ * duration_s), begin_s, table_.cells.size(), 0, capability});
+    const double budget_s = std::max(kLeastBudget_s, share_ * duration_s);
+    table_.rows.push_back({budget_s, begin_s, table_.cells.size(), 0, capability, from, to});
     ++row_;
   }
 
@@ -159,11 +161,7 @@ class Builder {
     }
   }
 
-  void end_row() {
-    LegTable::Row& row = table_.rows.back();
-    row.end = table_.cells.size();
-    if (row.begin == row.end) table_.rows.pop_back();
-  }
+  void end_row() { table_.rows.back().end = table_.cells.size(); }
 
   void bring_into_view(std::size_t cell, double time_s) {
     table_.in_view_s[cell] = std::min(table_.in_view_s[cell], time_s);

@@ -14,17 +14,20 @@ struct LegTable {
   struct Capability {
     double share = 0.0;  ///< of one member; those of all members add up to 1
     double speed_mps = 0.0;
+    double view_max_m = 0.0;
     double rate_per_s = 0.0;
     double first_s = std::numeric_limits<double>::infinity();  ///< A cell of a row is in view then at the earliest.
     std::vector<std::size_t> members;
   };
-  /// A leg; or a second of turning where an agent does not see all around.
+  /// A leg; or a second of turning where an agent does not see all around and may miss what it sees.
   struct Row {
     double budget_s = 0.0;  ///< duration times share
     double begin_s = 0.0;   ///< the earliest it can begin; infinite: a second of turning
     std::size_t begin = 0;  ///< of its entries
     std::size_t end = 0;
     std::size_t capability = 0;
+    int from = -1;  ///< a place
+    int to = -1;
   };
 
   std::vector<Capability> capabilities;
