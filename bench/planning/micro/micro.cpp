@@ -17,6 +17,7 @@
 #include "services/common/config.hpp"
 #include "services/planner/core/team/joint_walk.hpp"
 #include "services/planner/core/team/prepared_problem.hpp"
+#include "services/planner/core/team/refinement.hpp"
 #include "services/planner/core/team/route_value.hpp"
 
 namespace tandem::bench {
@@ -24,31 +25,33 @@ namespace {
 
 constexpr double kMeasureFor_ms = 1000.0;
 constexpr int kRoutes = 64;
-constexpr double kAllMissions_s = 5000.0;  ///< longer than any
+constexpr int kMovesAtATime = 1000;
 
-/// A plan of the whole mission: whoever is free first takes one of the three best things to do, until all is seen.
-Routes greedy_mission(JointWalk& walk, Rng& rng) {
-  walk.restart();
-  for (int m = walk.next_member(); m >= 0; m = walk.next_member()) {
-    const auto choices = walk.choices(m, 3);
-    walk.choose(m, choices[rng.index(choices.size())].place);
-  }
+/// The greedy plan of a whole mission.
+Routes greedy_mission(const TeamGround& ground) {
+  JointWalk walk(ground, {});
+  for (int m = walk.next_member(); m >= 0; m = walk.next_member()) walk.choose(m, walk.choices(m, 1).front().place);
   return walk.routes();
 }
 
-/// Plans of the whole mission of an instance, all legs known.
+/// Plans of the whole mission of an instance as the planner finds them one after the other, from the greedy one on.
 struct Missions {
   explicit Missions(const MicroRecord::Key& key)
       : instance(instance_of(key.family, key.seed)), world(world_of(instance)) {
     while (world->prepare_next()) {
     }
     problem = problem_at_start(instance, *world, prior_mass(*world, instance));
-    problem.horizon_s = kAllMissions_s;
     prepared = std::make_unique<PreparedProblem>(problem);
     ground = team_ground(*prepared);
-    JointWalk walk(ground, {});
+    RouteValue value(ground);
     Rng rng{key.seed};
-    for (int i = 0; i < kRoutes; ++i) routes.push_back(greedy_mission(walk, rng));
+    Refinement refinement(ground, value, {});
+    const Routes greedy = greedy_mission(ground);
+    refinement.restart(greedy, value.value_s(greedy));
+    for (int i = 0; i < kRoutes; ++i) {
+      refinement.improve(kMovesAtATime, rng);
+      routes.push_back(refinement.best());
+    }
   }
   PlanningInstance instance;
   std::unique_ptr<SearchWorld> world;
@@ -87,6 +90,19 @@ double objective_evaluations_per_s(const MicroRecord::Key& key) {
     for (std::size_t m = 0; m < routes.size(); ++m) missions.prepared->add_looks(m, routes[m], looks);
     return objective.forecast(looks).expected_time_s;
   });
+}
+
+/// Changes of one plan that are judged per second, each by what it changes.
+double changes_per_s(const MicroRecord::Key& key) {
+  const Missions missions(key);
+  RouteValue value(missions.ground);
+  Refinement refinement(missions.ground, value, {});
+  refinement.restart(missions.routes.front(), value.value_s(missions.routes.front()));
+  Rng rng{key.seed};
+  const double begin_ms = thread_cpu_ms();
+  double now_ms = begin_ms;
+  for (; now_ms - begin_ms < kMeasureFor_ms; now_ms = thread_cpu_ms()) refinement.improve(kMovesAtATime, rng);
+  return 1e3 * static_cast<double>(refinement.judged()) / (now_ms - begin_ms);
 }
 
 double rollouts_per_s(const MicroRecord::Key& key) {
@@ -133,8 +149,9 @@ struct Measure {
 const std::map<std::string, Measure>& measures() {
   static const std::map<std::string, Measure> all{
       {"evaluations", {"1/s", evaluations_per_s}}, {"objective", {"1/s", objective_evaluations_per_s}},
-      {"rollouts", {"1/s", rollouts_per_s}},       {"memory", {"MB", peak_memory_mb}},
-      {"reproducible", {"", is_reproducible}},     {"searches", {"1/min", searches_per_minute}}};
+      {"changes", {"1/s", changes_per_s}},         {"rollouts", {"1/s", rollouts_per_s}},
+      {"memory", {"MB", peak_memory_mb}},          {"reproducible", {"", is_reproducible}},
+      {"searches", {"1/min", searches_per_minute}}};
   return all;
 }
 

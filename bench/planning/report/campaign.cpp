@@ -41,13 +41,15 @@ const std::vector<std::string> kAllPeers{"no_intent",  "nearest_unseen", "indepe
 
 const std::vector<Loops>& loops() {
   static const std::vector<Loops> parts{
-      {{1, 2, 3, 10}, {"S1u", "S1x"}, kPeers, 5, 30, "50,200"},
-      {{1, 2, 3, 10}, {"S1u4"}, kPeers, 3, 30, "50,200"},
-      {{1, 2, 3}, {"S1uR4"}, kPeers, 0, 30, "200"},
+      {{1, 2, 3, 10}, {"S1u", "S1x"}, kPeers, 5, 30, "200"},
+      {{1, 2, 3, 10}, {"S1u", "S1x"}, {kOurs, kPaper, kTunedGreedy}, 0, 15, "50"},
+      {{1}, {"S1u", "S1x"}, {"paper_travel"}, 2, 15, "200"},
+      {{1, 2, 3, 10}, {"S1u4"}, kPeers, 3, 20, "200"},
+      {{1, 2, 3}, {"S1uR4"}, kPeers, 0, 20, "200"},
       {{3}, {"S1u"}, kAllPeers, 2, 10, "200"},
-      {{3}, {"S8g", "S8f", "S8d"}, {kOurs, kPaper, kTunedGreedy, "dec_mcts"}, 2, 15, "200"},
+      {{3}, {"S8g", "S8f", "S8d"}, {kOurs, kPaper, kTunedGreedy, "dec_mcts"}, 2, 10, "200"},
       {{3}, {"S4", "S6", "S1brl", "S1l1", "S1l3"}, {kOurs, kPaper, kTunedGreedy}, 0, 5, "200"},
-      {{3}, {"S2r2", "S2p2"}, {kOurs, kTunedGreedy}, 0, 3, "200"},
+      {{3}, {"S2r2", "S2p2"}, {kOurs, kTunedGreedy}, 0, 2, "200"},
       {{10}, {"S5obedient", "S5late", "S5own", "S5random", "S5stubborn", "S5announces"}, {kOurs}, 0, 10, "50"}};
   return parts;
 }
@@ -57,19 +59,20 @@ const std::vector<Plans>& plans() {
   static const std::vector<double> pool_ms{10.0, 50.0, 200.0, 1000.0, 5000.0, 60000.0};
   static const std::vector<Plans> parts{
       {{4}, {"S0m1", "S0m", "S0m3"}, {kOurs, kTunedGreedy, "sequential", "dec_mcts"}, 10, 33, {100.0}, {100.0}, true},
-      {{5, 6, 7}, {"S1u", "S1x", "S1u4", "S1uR4"}, {kOurs}, 3, 10, anytime_ms, pool_ms, false},
+      {{5, 6, 7}, {"S1u", "S1x", "S1u4", "S1uR4"}, {kOurs}, 3, 6, anytime_ms, pool_ms, false},
       {{6, 7}, {"S1u"}, {kPaper, kTunedGreedy, "dec_mcts", "sequential"}, 2, 10, anytime_ms, anytime_ms, false},
-      {{6, 7, 9}, {"S2r2", "S2p2"}, {kOurs}, 1, 5, anytime_ms, pool_ms, false},
+      {{6, 7, 9}, {"S2r2", "S2p2"}, {kOurs}, 1, 3, anytime_ms, pool_ms, false},
       {{7, 9}, {"S2r4", "S2r8"}, {kOurs}, 0, 3, {}, anytime_ms, false},
       {{7, 9}, {"S3c2", "S3c4", "S3c8"}, {kOurs}, 0, 2, {}, anytime_ms, false}};
   return parts;
 }
 
 const std::vector<Figures>& figures() {
-  static const std::vector<Figures> parts{{{8}, {"evaluations", "objective", "rollouts"}, {"S1u", "S1uR4"}, 2, 5},
-                                          {{9}, {"memory"}, {"S1u", "S2r2"}, 1, 1},
-                                          {{9}, {"memory"}, {"S3c2"}, 0, 1},
-                                          {{11}, {"reproducible", "searches"}, {"S1u"}, 1, 3}};
+  static const std::vector<Figures> parts{
+      {{8}, {"evaluations", "changes", "objective", "rollouts"}, {"S1u", "S1uR4"}, 2, 5},
+      {{9}, {"memory"}, {"S1u", "S2r2"}, 1, 1},
+      {{9}, {"memory"}, {"S3c2"}, 0, 1},
+      {{11}, {"reproducible", "searches"}, {"S1u"}, 1, 3}};
   return parts;
 }
 

@@ -146,6 +146,13 @@ void add_row_8_and_9(const Results& results, std::vector<TargetLine>& lines) {
     speed.verdict = verdict(quantile(evaluations, 0.5) >= 1e5);
   }
   lines.push_back(speed);
+  TargetLine reuse{8, "S1u: at least 500,000 changes of a plan judged per second and core, reusing what stays", "",
+                   Verdict::NotMeasured};
+  if (const auto changes = results.micro_values("changes", "S1u"); !changes.empty()) {
+    reuse.measured = formatted("%.0f 1/s", quantile(changes, 0.5));
+    reuse.verdict = verdict(quantile(changes, 0.5) >= 5e5);
+  }
+  lines.push_back(reuse);
   for (const auto& [family, limit_mb] :
        std::array<std::pair<const char*, double>, 3>{{{"S1u", 100.0}, {"S2r2", 500.0}, {"S3c2", 2000.0}}}) {
     const auto memory = results.micro_values("memory", family);

@@ -21,7 +21,7 @@ struct PlannerConfig {
 
   // The plan.
   std::string planner = "tandem";  ///< A name that planners/registry.hpp knows, perhaps with options.
-  std::int64_t rollouts = 300;     ///< Budget of one plan.
+  std::int64_t rollouts = 1000;    ///< Budget of one plan.
   std::int64_t seed = 1;
   double horizon_s = 120.0;         ///< Length of plans [s].
   double acceptance_delay_s = 3.0;  ///< A proposal without a Replan is accepted after this [s].

@@ -76,11 +76,8 @@ const Leg& ActionSet::leg(int from, int to) {
   const auto [entry, is_new] = (stays ? legs_ : added_legs_).try_emplace({from, to});
   Leg& leg = entry->second;
   if (!is_new) return leg;
-  if (const auto nodes = roads_.nodes(from, to); !nodes.empty()) leg.way = motion_.way(nodes, place(from), place(to));
-  if (leg.way.size() < 2) {
-    leg.way.clear();
-    return leg;
-  }
+  leg.way = way(from, to);
+  if (leg.way.empty()) return leg;
   leg.initial_heading_rad = heading_towards(leg.way[0], leg.way[1]);
   leg.final_heading_rad = heading_towards(leg.way[leg.way.size() - 2], leg.way.back());
   const TimedPath path = timed_path(leg.way, searcher(), leg.initial_heading_rad);
@@ -90,6 +87,45 @@ const Leg& ActionSet::leg(int from, int to) {
     leg.stay = sightings_of_stay({leg.way.back().x(), leg.way.back().y(), leg.final_heading_rad}, views_);
   }
   return leg;
+}
+
+bool ActionSet::is_near(int from, int to) {
+  if (from >= lookouts() && to >= lookouts()) return is_connected(from, to);
+  const auto is_among = [](const std::vector<int>& near, int place) {
+    return std::ranges::find(near, place) != near.end();
+  };
+  return is_among(nearest_lookouts(from), to) || (to >= lookouts() && is_among(nearest_lookouts(to), from));
+}
+
+std::vector<int> ActionSet::joined(int from, std::span<const int> places) {
+  std::vector<int> walk;
+  for (const int place : places) {
+    if (place == from) continue;
+    if (is_near(from, place)) {
+      walk.push_back(place);
+      from = place;
+    } else if (const auto& stops = roads_.stops(from, place); !stops.empty()) {
+      walk.insert(walk.end(), stops.begin(), stops.end());
+      from = place;
+    }
+  }
+  return walk;
+}
+
+std::vector<Vector2d> ActionSet::way(int from, int to) {
+  const std::vector<int> stops = roads_.stops(from, to);
+  std::vector<Vector2d> way;
+  if (stops.size() == 1) {
+    if (const auto nodes = roads_.nodes(from, to); !nodes.empty()) way = motion_.way(nodes, place(from), place(to));
+    if (way.size() < 2) way.clear();
+    return way;
+  }
+  for (const int stop : stops) {
+    const auto& part = leg(from, stop).way;
+    way.insert(way.end(), part.begin() + (way.empty() || part.empty() ? 0 : 1), part.end());
+    from = stop;
+  }
+  return way;
 }
 
 const View& ActionSet::panorama(int lookout) {

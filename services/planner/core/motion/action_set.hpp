@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -35,6 +37,9 @@ struct ActionSetOptions {
 /// What agents of one capability can do: go from lookout to lookout, sequences of which are their plans (digest E1,
 /// E2).
 ///
+/// A leg to a lookout that is not near is a chain of legs between near ones, so every plan is a walk over near legs:
+/// what holds for these holds for all plans.
+///
 /// Places 0 .. lookouts() - 1 are the lookouts, which stay from plan to plan; starts and goals of one plan are added
 /// behind them. Ways and what is seen on them are found when first asked for and kept.
 class ActionSet {
@@ -60,7 +65,17 @@ class ActionSet {
   [[nodiscard]] bool is_connected(int from, int to) { return std::isfinite(distance_m(from, to)); }
   /// How far it is from one place to another, clearance counted [m].
   [[nodiscard]] double distance_m(int from, int to) { return roads_.cost_m(from, to); }
+  /// An action; without a way if none leads there.
   [[nodiscard]] const Leg& leg(int from, int to);
+  /// The walk over near legs from `from` to these places one after the other; those that cannot be reached are left
+  /// out.
+  [[nodiscard]] std::vector<int> joined(int from, std::span<const int> places);
+  /// Calls `reached` with lookouts in the order of their distance from a place, until it gives false.
+  void explore(int from, const std::function<bool(int lookout, double distance_m)>& reached) {
+    roads_.explore(from, reached);
+  }
+  /// Whether a leg needs no stop in between: one to a lookout among the nearest, and one between added places.
+  [[nodiscard]] bool is_near(int from, int to);
   /// The lookouts nearest to a place, itself not among them.
   [[nodiscard]] const std::vector<int>& nearest_lookouts(int from);
   /// What a lookout shows to all sides, to guess what a far one is worth.
@@ -69,6 +84,8 @@ class ActionSet {
   [[nodiscard]] const MotionMap& motion() const { return motion_; }
 
  private:
+  [[nodiscard]] std::vector<Eigen::Vector2d> way(int from, int to);
+
   ActionSetOptions options_;
   ViewTable& views_;
   MotionMap motion_;

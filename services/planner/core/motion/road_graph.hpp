@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "services/planner/core/motion/local_search.hpp"
@@ -9,7 +13,7 @@
 namespace tandem {
 
 /// The ways between places: each is joined to the lookouts nearest to it, further ones are reached over those in
-/// between. So nothing here grows with the square of the map.
+/// between. So nothing here grows with the square of the map. Added places are joined to each other, too.
 ///
 /// Places 0 .. lookouts - 1 are lookouts, others are added and forgotten again. Ways are found when first asked for and
 /// kept.
@@ -34,24 +38,29 @@ class RoadGraph {
   [[nodiscard]] const std::vector<Road>& roads(int place);
   /// The cost of the way from one place to another [m], infinite if there is none.
   [[nodiscard]] double cost_m(int from, int to);
-  /// The nodes on that way; empty if there is none.
+  /// Reaches lookouts from `from` over roads in the order of their cost, and calls `reached` with each, `from` itself
+  /// not among them; stops when it gives false. `reached` must not ask for ways itself. Looks no further than that,
+  /// whatever the size of the map.
+  void explore(int from, const std::function<bool(int lookout, double cost_m)>& reached);
+  /// The places that way leads over, `to` the last, each near to the one before; only {to} where lookouts nearby do
+  /// not lead there; empty if there is no way.
+  [[nodiscard]] const std::vector<int>& stops(int from, int to);
+  /// The nodes of the direct way from one place to another; empty if there is none.
   [[nodiscard]] std::vector<int> nodes(int from, int to);
 
   [[nodiscard]] int lookouts() const { return lookouts_; }
   [[nodiscard]] int node(int place) const { return nodes_[static_cast<std::size_t>(place)]; }
 
  private:
-  /// The cheapest ways from one place over lookouts.
-  struct Row {
-    std::vector<float> cost_m;  ///< per lookout
-    std::vector<int> previous;  ///< per lookout the one before, -1: from the place itself
-  };
-  [[nodiscard]] const Row& row(int from);
+  [[nodiscard]] std::vector<int> found_stops(int from, int to);
+  /// Per lookout the cost of the cheapest way there over roads [m].
+  [[nodiscard]] const std::vector<float>& row(int from);
   [[nodiscard]] const Road* road_between(int from, int to);
   [[nodiscard]] const ShortestPaths& all_paths(int from);
+  /// The straight road between two added places.
+  [[nodiscard]] const Road& road_between_added(int from, int to);
   /// The lookout over which an added place is reached best, and that way's cost.
   [[nodiscard]] std::pair<const Road*, double> last_road(int from, int to);
-  [[nodiscard]] std::vector<int> nodes_to_lookout(int from, int lookout);
 
   const MotionMap& motion_;
   int lookouts_ = 0;
@@ -60,9 +69,22 @@ class RoadGraph {
   std::vector<std::int32_t> place_at_;  ///< per node its place, -1 none
   std::vector<std::vector<Road>> roads_;
   std::vector<bool> roads_known_;
-  std::map<int, Row> rows_;
-  std::map<int, ShortestPaths> all_paths_;  ///< where lookouts nearby do not lead everywhere
+  std::map<int, std::vector<float>> rows_;
+  std::map<std::pair<int, int>, Road> added_roads_;
+  std::unordered_map<std::uint64_t, std::vector<int>> stops_;        ///< by both lookouts
+  std::unordered_map<std::uint64_t, std::vector<int>> added_stops_;  ///< where one of them was added
+  std::map<int, ShortestPaths> all_paths_;                           ///< where lookouts nearby do not lead everywhere
   LocalSearch search_;
+  // Of the last exploration.
+  struct Open {
+    float cost_m;
+    std::int32_t lookout;
+  };
+  std::uint32_t exploration_ = 0;
+  std::vector<std::uint32_t> reached_in_;  ///< per lookout, the last exploration that reached it
+  std::vector<float> reached_m_;
+  std::vector<std::int32_t> reached_from_;  ///< the lookout before, -1: from the beginning
+  std::vector<Open> open_;                  ///< a heap
 };
 
 }  // namespace tandem

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct Choice {
 /// How a walk appraises what a member can do next.
 struct WalkOptions {
   double exponent = 1.5;  ///< of time in a score; 1.5 measured best for greedy plans
-  int far_lookouts = 4;   ///< looked at once the neighbourhood is done
+  int far_lookouts = 2;   ///< looked at once the neighbourhood is done
 };
 
 /// A joint plan in the making: who is under way to where, until when, and what mass is not yet promised to be seen.
@@ -34,10 +35,8 @@ class JointWalk {
   [[nodiscard]] int next_member(int only = -1) const;
   /// The best things `member` can do next, best first, at most `count`; never empty. Valid until the next call.
   [[nodiscard]] std::span<const Choice> choices(int member, int count);
-  /// The member goes there.
+  /// The member goes there, over lookouts in between if it is far; -1: it waits until the end.
   void choose(int member, int place);
-  /// The member goes to all of these, one after the other.
-  void follow(int member, std::span<const int> places);
 
   [[nodiscard]] const Routes& routes() const { return routes_; }
   [[nodiscard]] float mass_left() const { return mass_left_; }
@@ -50,9 +49,15 @@ class JointWalk {
     bool goal_ahead = false;
     double detour_left_m = 0.0;  ///< how far it may still walk to the goal
   };
+  [[nodiscard]] Choice scored(int place, float gain, double time_s) const;
+  /// Of a place near to the member.
   [[nodiscard]] Choice appraised(int member, int place);
+  /// Of any place.
+  [[nodiscard]] Choice appraised_far(int member, int place);
   [[nodiscard]] double leg_time_s(int member, const CompactLeg& leg) const;
   void add_far_lookouts(int member);
+  [[nodiscard]] float in_view_of(ActionSet& actions, int lookout) const;
+  void go(int member, int place);
 
   const TeamGround* ground_;
   WalkOptions options_;
@@ -60,9 +65,13 @@ class JointWalk {
   std::vector<Progress> members_;
   std::vector<float> mass_;  ///< not yet promised
   float mass_left_ = 0.0F;
+  float total_ = 0.0F;      ///< mass
+  float best_view_ = 0.0F;  ///< the most mass that one lookout has in view
   Routes routes_;
   std::vector<Choice> choices_;
   std::vector<Choice> guesses_;
+  std::vector<std::uint32_t> counted_;  ///< per cell, the last appraisal that counted it
+  std::uint32_t appraisal_ = 0;
 };
 
 }  // namespace tandem

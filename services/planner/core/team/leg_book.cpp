@@ -3,22 +3,11 @@
 #include <cmath>
 
 namespace tandem {
-namespace {
-
-constexpr int kFewLookouts = 1024;
-
-}  // namespace
 
 LegBook::LegBook(ActionSet& actions)
     : actions_(actions),
       first_sight_(std::isinf(actions.searcher().detection_rate_per_s) && actions.searcher().sees_all_around()),
-      rate_per_s_(actions.searcher().detection_rate_per_s),
-      dense_(actions.lookouts() <= kFewLookouts) {
-  if (dense_) {
-    const auto count = static_cast<std::size_t>(actions.lookouts());
-    by_place_.assign(count, std::vector<const CompactLeg*>(count, nullptr));
-  }
-}
+      rate_per_s_(actions.searcher().detection_rate_per_s) {}
 
 void LegBook::forget_added_places() {
   const auto is_added = [&](const Entry& entry) { return entry.to >= actions_.lookouts(); };
@@ -38,37 +27,11 @@ bool LegBook::prepare_next() {
   return true;
 }
 
-const CompactLeg* LegBook::known_leg(int from, int to) const {
-  const auto at = static_cast<std::size_t>(from);
-  if (dense_ && from < actions_.lookouts() && to < actions_.lookouts()) {
-    return by_place_[at][static_cast<std::size_t>(to)];
-  }
-  if (rows_.size() <= at) return nullptr;
-  for (const Entry& entry : rows_[at]) {
-    if (entry.to == to) return entry.leg;
-  }
-  return nullptr;
-}
-
-const CompactLeg& LegBook::leg(int from, int to) {
-  const auto at = static_cast<std::size_t>(from);
-  if (dense_ && from < actions_.lookouts() && to < actions_.lookouts()) {
-    const CompactLeg*& known = by_place_[at][static_cast<std::size_t>(to)];
-    if (known == nullptr) known = &add(from, to);
-    return *known;
-  }
-  if (rows_.size() <= at) rows_.resize(at + 1);
-  for (const Entry& entry : rows_[at]) {
-    if (entry.to == to) return *entry.leg;
-  }
-  const CompactLeg& leg = add(from, to);
-  rows_[at].push_back({to, &leg});
-  return leg;
-}
-
 const CompactLeg& LegBook::add(int from, int to) {
   const bool stays = from < actions_.lookouts() && to < actions_.lookouts();
   CompactLeg& compact = (stays ? kept_ : added_).emplace_back();
+  if (rows_.size() <= static_cast<std::size_t>(from)) rows_.resize(static_cast<std::size_t>(from) + 1);
+  rows_[static_cast<std::size_t>(from)].push_back({to, &compact});
   const Leg& leg = actions_.leg(from, to);
   compact.possible = leg.possible();
   if (!compact.possible) return compact;

@@ -21,8 +21,8 @@ struct CompactLeg {
   std::vector<std::int32_t> end_view;  ///< in view at the end, while the agent turns; empty if it need not turn
 };
 
-/// The legs of one capability. Of a searcher to whom seen is found, what it has in view when a leg from a lookout
-/// begins is left out: it saw that when it came.
+/// The legs of one capability between places that are near to each other, of which every plan consists. Of a searcher
+/// to whom seen is found, what it has in view when a leg from a lookout begins is left out: it saw that when it came.
 class LegBook {
  public:
   /// `actions` must outlive it and must not forget its lookouts.
@@ -32,10 +32,15 @@ class LegBook {
   bool prepare_next();
   /// Forgets the legs of places that were added for the last plan.
   void forget_added_places();
-  /// The leg from one place to another; stays where it is until its places are forgotten.
-  [[nodiscard]] const CompactLeg& leg(int from, int to);
-  /// That leg if it was found already.
-  [[nodiscard]] const CompactLeg* known_leg(int from, int to) const;
+  /// The leg from one place to another near it; stays where it is until its places are forgotten.
+  [[nodiscard]] const CompactLeg& leg(int from, int to) {
+    if (static_cast<std::size_t>(from) < rows_.size()) {
+      for (const Entry& entry : rows_[static_cast<std::size_t>(from)]) {
+        if (entry.to == to) return *entry.leg;
+      }
+    }
+    return add(from, to);
+  }
   [[nodiscard]] bool first_sight() const { return first_sight_; }
   [[nodiscard]] ActionSet& actions() { return actions_; }
 
@@ -49,12 +54,10 @@ class LegBook {
   ActionSet& actions_;
   bool first_sight_ = false;
   double rate_per_s_ = 0.0;
-  int prepared_ = 0;                                      ///< lookouts, from the first
-  bool dense_ = false;                                    ///< few lookouts: rows are indexed by place
-  std::vector<std::vector<const CompactLeg*>> by_place_;  ///< per lookout, then lookout
-  std::vector<std::vector<Entry>> rows_;                  ///< per place: all others
-  std::deque<CompactLeg> kept_;                           ///< between lookouts
-  std::deque<CompactLeg> added_;                          ///< from or to added places
+  int prepared_ = 0;                      ///< lookouts, from the first
+  std::vector<std::vector<Entry>> rows_;  ///< per place: the few near to it
+  std::deque<CompactLeg> kept_;           ///< between lookouts
+  std::deque<CompactLeg> added_;          ///< from or to added places
 };
 
 }  // namespace tandem

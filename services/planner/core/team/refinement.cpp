@@ -8,6 +8,9 @@ namespace {
 
 constexpr std::size_t kLongestPiece = 5;
 constexpr std::size_t kLongestReversal = 12;
+constexpr double kHeating = 3.0;   ///< after a cycle that found nothing better, the next begins so much warmer
+constexpr double kHottest = 10.0;  ///< times the warmth at first
+constexpr int kMostDrift = 200;    ///< changes accepted by estimate until the value is made exact again
 
 auto at(std::vector<int>& places, std::size_t position) {
   return places.begin() + static_cast<std::ptrdiff_t>(position);
@@ -16,12 +19,29 @@ auto at(std::vector<int>& places, std::size_t position) {
 }  // namespace
 
 Refinement::Refinement(const TeamGround& ground, RouteValue& value, const RefinementOptions& options)
-    : ground_(&ground), value_(&value), options_(options), translation_(ground) {}
+    : ground_(&ground), value_(&value), options_(options), translation_(ground) {
+  const SearchProblem& search = ground.problem->problem();
+  const bool all_follow = std::ranges::all_of(search.members, [](const auto& who) { return who.hypotheses.empty(); });
+  if (ground.first_sight && search.masses.size() == 1 && all_follow && search.rejected.empty()) {
+    estimate_.emplace(ground);
+  }
+}
+
+void Refinement::take(const Routes& routes, double value_s) {
+  current_ = routes;
+  current_s_ = value_s;
+  drifted_ = 0;
+  if (estimate_) estimate_->rebase(current_);
+}
 
 void Refinement::restart(const Routes& routes, double value_s) {
-  current_ = best_ = routes;
-  current_s_ = best_s_ = value_s;
-  moves_ = 0;
+  best_ = routes;
+  best_s_ = value_s;
+  take(best_, best_s_);
+  in_cycle_ = 0;
+  cycle_ = options_.cycle;
+  heat_ = 1.0;
+  best_before_s_ = best_s_;
   fixed_.assign(routes.size(), 0);
   for (std::size_t m = 0; m < routes.size(); ++m) {
     const auto& goal = ground_->problem->members()[m].goal;
@@ -36,45 +56,84 @@ bool Refinement::improve(int moves, Rng& rng) {
   static constexpr struct {
     Move move;
     double share;
-  } kMoves[] = {{Move::Replace, 0.22}, {Move::Relocate, 0.22}, {Move::Insert, 0.12}, {Move::Remove, 0.12},
-                {Move::Piece, 0.12},   {Move::Reverse, 0.10},  {Move::Swap, 0.05},   {Move::Tails, 0.05}};
+  } kMoves[] = {{Move::Replace, 0.23}, {Move::Relocate, 0.23}, {Move::Insert, 0.12}, {Move::Remove, 0.12},
+                {Move::Piece, 0.12},   {Move::Reverse, 0.10},  {Move::Swap, 0.05},   {Move::Tails, 0.03}};
   const double before_s = best_s_;
-  for (int i = 0; i < moves; ++i, ++moves_) {
-    if (moves_ > 0 && moves_ % options_.cycle == 0) {
-      current_ = best_;
-      current_s_ = best_s_;
+  for (int i = 0; i < moves; ++i, ++in_cycle_) {
+    if (in_cycle_ == cycle_) {
+      heat_ = best_s_ < best_before_s_ - 1e-9 ? 1.0 : std::min(kHottest, kHeating * heat_);
+      best_before_s_ = best_s_;
+      in_cycle_ = 0;
+      cycle_ *= 2;
+      take(best_, best_s_);
     }
     double u = rng.uniform();
     std::size_t kind = 0;
     while (kind + 1 < std::size(kMoves) && u >= kMoves[kind].share) u -= kMoves[kind++].share;
     trial_ = current_;
-    if (!make_trial(kMoves[kind].move, rng)) continue;
-    if (!stays_near() && rng.uniform() >= options_.far_legs) continue;
-    const double trial_s = value_->value_s(trial_);
-    const double progress = static_cast<double>(moves_ % options_.cycle) / options_.cycle;
-    const double temperature_s = best_s_ * options_.warmth * std::pow(options_.coldness / options_.warmth, progress);
-    if (trial_s > current_s_ && rng.uniform() >= std::exp((current_s_ - trial_s) / temperature_s)) continue;
-    std::swap(current_, trial_);
-    current_s_ = trial_s;
-    if (current_s_ < best_s_ - 1e-9) {
-      best_ = current_;
-      best_s_ = current_s_;
-    }
+    if (!make_trial(kMoves[kind].move, rng) || !join(rng)) continue;
+    const double progress = static_cast<double>(in_cycle_) / static_cast<double>(cycle_);
+    const double warmth = heat_ * options_.warmth;
+    const double temperature_s = best_s_ * warmth * std::pow(options_.coldness / warmth, progress);
+    judge(temperature_s, rng.uniform());
+  }
+  if (drifted_ > 0 && current_s_ < best_s_ - 1e-9) {
+    current_s_ = value_->value_s(current_);
+    keep_best();
   }
   return best_s_ < before_s;
 }
 
-bool Refinement::stays_near() const {
+void Refinement::judge(double temperature_s, double u) {
+  ++judged_;
+  const auto change_s = estimate_ ? estimate_->change_s(trial_) : std::nullopt;
+  const double trial_s = change_s ? current_s_ + *change_s : value_->value_s(trial_);
+  // A late change decides on little; at one temperature for all, nearly every one of them would be taken.
+  if (change_s) temperature_s *= estimate_->share_at_stake();
+  if (trial_s > current_s_ - temperature_s * std::log(1.0 - u)) return;
+  if (change_s && *change_s > -1e-9 && is_longer()) return;
+  std::swap(current_, trial_);
+  if (change_s && drifted_ < kMostDrift) {
+    estimate_->accept(current_);
+    ++drifted_;
+    current_s_ = trial_s;
+    return;
+  }
+  take(current_, change_s ? value_->value_s(current_) : trial_s);
+  keep_best();
+}
+
+void Refinement::keep_best() {
+  if (current_s_ >= best_s_ - 1e-9) return;
+  best_ = current_;
+  best_s_ = current_s_;
+}
+
+bool Refinement::is_longer() const {
+  std::size_t places = 0;
+  std::size_t before = 0;
+  for (const auto& route : trial_) places += route.size();
+  for (const auto& route : current_) before += route.size();
+  return places > before;
+}
+
+bool Refinement::is_joined(std::size_t member, std::size_t position) const {
+  const std::vector<int>& route = trial_[member];
+  const std::vector<int>& before = current_[member];
+  const bool is_as_before = position < before.size() && route[position] == before[position] &&
+                            (position == 0 || route[position - 1] == before[position - 1]);
+  if (is_as_before) return true;
+  const int from = position == 0 ? ground_->problem->members()[member].start : route[position - 1];
+  return ground_->books[member]->actions().is_near(from, route[position]);
+}
+
+bool Refinement::join(Rng& rng) {
   for (std::size_t m = 0; m < trial_.size(); ++m) {
-    const std::vector<int>& route = trial_[m];
-    int from = ground_->problem->members()[m].start;
-    for (std::size_t i = 0; i < route.size(); from = route[i++]) {
-      const bool as_before =
-          i < current_[m].size() && route[i] == current_[m][i] && (i == 0 || route[i - 1] == current_[m][i - 1]);
-      if (as_before || from == route[i]) continue;
-      const auto& near = ground_->books[m]->actions().nearest_lookouts(from);
-      if (std::ranges::find(near, route[i]) == near.end()) return false;
-    }
+    bool is_walk = true;
+    for (std::size_t i = 0; i < trial_[m].size() && is_walk; ++i) is_walk = is_joined(m, i);
+    if (is_walk) continue;
+    if (rng.uniform() >= options_.far_legs) return false;
+    trial_[m] = ground_->books[m]->actions().joined(ground_->problem->members()[m].start, trial_[m]);
   }
   return true;
 }

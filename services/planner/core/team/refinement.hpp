@@ -1,24 +1,28 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "services/common/random.hpp"
+#include "services/planner/core/team/change_estimate.hpp"
 #include "services/planner/core/team/place_translation.hpp"
 #include "services/planner/core/team/route_value.hpp"
 
 namespace tandem {
 
 struct RefinementOptions {
-  double warmth = 0.004;     ///< at first, how much worse a move may be to be taken with 1/e, as a share of the value
-  double coldness = 0.0002;  ///< the same at the end of a cycle
-  int cycle = 6000;          ///< moves from warm to cold; then again from the best
+  double warmth = 0.002;     ///< at first, how much worse a move may be to be taken with 1/e, as a share of the value
+  double coldness = 0.0001;  ///< the same at the end of a cycle
+  int cycle = 20000;         ///< moves from warm to cold at first; then again from the best with twice as many
   int neighbours = 8;        ///< lookouts near a place that moves look at
-  double far_legs = 0.02;    ///< how often a move may ask for legs to lookouts that are not near, which takes time
+  double far_legs = 0.2;     ///< how often a move may lead to lookouts that are not near, over those in between
 };
 
 /// Makes routes better by small moves: insert, remove, relocate, replace, swap, reverse, move a piece, swap tails;
 /// taken by simulated annealing. Equal routes, options and random numbers give equal results.
 ///
+/// Most moves are taken or not by a ChangeEstimate; what looks like the best after some moves is valued exactly.
 /// Places up to a fixed goal stay as they are.
 class Refinement {
  public:
@@ -32,14 +36,25 @@ class Refinement {
 
   [[nodiscard]] const Routes& best() const { return best_; }
   [[nodiscard]] double best_s() const { return best_s_; }
+  /// How many changes of routes were judged so far.
+  [[nodiscard]] std::int64_t judged() const { return judged_; }
 
  private:
   enum class Move { Insert, Remove, Relocate, Replace, Swap, Reverse, Piece, Tails };
 
   bool make_trial(Move move, Rng& rng);
-  /// Whether the trial goes only to lookouts near to where it comes from, but for what it shares with the current
-  /// routes. (What is known already would depend on what was planned before.)
-  [[nodiscard]] bool stays_near() const;
+  /// Makes the trial a walk over near legs; false if it is none and may not be made one.
+  bool join(Rng& rng);
+  /// Whether the trial's leg to a position is one of the current routes, or a near one.
+  [[nodiscard]] bool is_joined(std::size_t member, std::size_t position) const;
+  /// Keeps the current routes, whose value is exact, if they are the best so far.
+  void keep_best();
+  /// Whether the trial has more places than the current routes.
+  [[nodiscard]] bool is_longer() const;
+  /// Goes on from these routes.
+  void take(const Routes& routes, double value_s);
+  /// Takes the trial or not; `u`: uniform in [0, 1).
+  void judge(double temperature_s, double u);
   [[nodiscard]] std::size_t free_places(std::size_t member) const;
   [[nodiscard]] std::size_t position(std::size_t member, Rng& rng) const;
   [[nodiscard]] int neighbour(std::size_t member, int place, Rng& rng) const;
@@ -56,6 +71,8 @@ class Refinement {
   const TeamGround* ground_;
   RouteValue* value_;
   RefinementOptions options_;
+  std::optional<ChangeEstimate> estimate_;  ///< where it is nearly right
+  int drifted_ = 0;                         ///< changes accepted by it since the last exact value
   PlaceTranslation translation_;
   Routes current_;
   Routes trial_;
@@ -65,7 +82,11 @@ class Refinement {
   std::vector<std::size_t> fixed_;  ///< per member, places at the beginning of its route that stay
   std::vector<int> piece_;
   std::vector<int> other_piece_;
-  int moves_ = 0;
+  double heat_ = 1.0;           ///< of this cycle, times the warmth
+  double best_before_s_ = 0.0;  ///< when this cycle began
+  std::int64_t cycle_ = 0;      ///< moves of this one
+  std::int64_t in_cycle_ = 0;   ///< of them made
+  std::int64_t judged_ = 0;
 };
 
 }  // namespace tandem

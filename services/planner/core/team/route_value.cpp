@@ -1,5 +1,6 @@
 #include "services/planner/core/team/route_value.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,6 +9,18 @@ namespace tandem {
 namespace {
 
 constexpr double kLikeWindow_s = 30.0;  ///< as in is_like()
+
+/// Single precision inside blocks, double between them.
+double weighted_sum(const std::vector<float>& weights, const std::vector<float>& values) {
+  constexpr std::size_t kBlock = 256;
+  double sum = 0.0;
+  for (std::size_t begin = 0; begin < weights.size(); begin += kBlock) {
+    const auto count = static_cast<Eigen::Index>(std::min(kBlock, weights.size() - begin));
+    sum += Eigen::Map<const Eigen::VectorXf>(weights.data() + begin, count)
+               .dot(Eigen::Map<const Eigen::VectorXf>(values.data() + begin, count));
+  }
+  return sum;
+}
 
 }  // namespace
 
@@ -50,9 +63,6 @@ void RouteValue::add_course(double weight, int astray, const PathHypothesis* hyp
       for (std::size_t i = 0; i < look.seen->size(); ++i)
         see(look.seen->cells[i], look.start_s + look.seen->enter_s[i]);
     }
-    for (std::size_t cell = 0; cell < course.first_s.size(); ++cell) {
-      course.saved += static_cast<double>(ground_->mass[cell]) * (end_s_ - course.first_s[cell]);
-    }
   }
   courses_.push_back(std::move(course));
 }
@@ -80,8 +90,6 @@ double RouteValue::exact_s(const Routes& routes) {
 
 double RouteValue::first_sight_s(const Course& course, const Routes& routes) {
   first_s_ = course.first_s;
-  double saved = course.saved;
-  const float* mass = ground_->mass.data();
   float* first_s = first_s_.data();
   for (std::size_t m = 0; m < routes.size(); ++m) {
     if (static_cast<int>(m) == course.astray) continue;
@@ -94,23 +102,21 @@ double RouteValue::first_sight_s(const Course& course, const Routes& routes) {
       if (!leg.possible) continue;
       const auto start_s = static_cast<float>(time_s);
       const auto room_s = static_cast<float>(search_->horizon_s - time_s);
-      const std::size_t count = leg.cells.size();
-      float saved_on_leg = 0.0F;
-      for (std::size_t i = 0; i < count && leg.enter_s[i] < room_s; ++i) {
-        float& first = first_s[leg.cells[i]];
-        const float seen_s = start_s + leg.enter_s[i];
-        if (seen_s < first) {
-          saved_on_leg += mass[leg.cells[i]] * (first - seen_s);
-          first = seen_s;
-        }
+      std::size_t count = leg.cells.size();
+      while (count > 0 && leg.enter_s[count - 1] >= room_s) --count;
+      const std::int32_t* cells = leg.cells.data();
+      const float* enter_s = leg.enter_s.data();
+      for (std::size_t i = 0; i < count; ++i) {  // stores always: whether it is sooner cannot be predicted
+        const float seen_s = start_s + enter_s[i];
+        float& first = first_s[cells[i]];
+        first = seen_s < first ? seen_s : first;
       }
-      saved += saved_on_leg;
       time_s += leg.duration_s;
       place = next;
       if (time_s >= search_->horizon_s) break;
     }
   }
-  return end_s_ - saved / total_;
+  return weighted_sum(ground_->mass, first_s_) / total_;
 }
 
 /// A look of which `kept` of the mass is left, from `from_s` to `to_s`.

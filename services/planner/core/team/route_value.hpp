@@ -29,7 +29,6 @@ class RouteValue {
     int astray = -1;                ///< the member that does not follow
     std::vector<Look> fixed_looks;  ///< what is looked at whatever the routes
     std::vector<float> first_s;     ///< per cell: when fixed looks see it (first sight)
-    double saved = 0.0;             ///< by fixed looks, of mass times time (first sight)
   };
   /// How far the walk along one route is.
   struct Cursor {

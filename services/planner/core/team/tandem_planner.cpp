@@ -48,7 +48,11 @@ void TandemPlanner::begin(const SearchProblem& problem, Rng rng) {
   refinement_->restart(best_, best_s_);
 }
 
-void TandemPlanner::take_seed(const Routes& routes) {
+void TandemPlanner::take_seed(Routes routes) {
+  for (std::size_t m = 0; m < routes.size(); ++m) {
+    const PreparedProblem::Member& who = problem_->members()[m];
+    if (who.start >= 0) routes[m] = who.actions->joined(who.start, routes[m]);
+  }
   const double value_s = value_->value_s(routes);
   tree_->remember(routes, value_s);
   if (const double exact_s = value_->exact_s(routes); exact_s < incumbent_s_) {

@@ -15,7 +15,7 @@ struct TandemOptions {
   WalkOptions walk;
   RefinementOptions refinement;
   int moves = 48;          ///< of refinement in a rollout; 0: tree only
-  int tree_every = 16;     ///< only one rollout of so many goes through the tree; 0: none
+  int tree_every = 128;    ///< only one rollout of so many goes through the tree; 0: none
   bool seeds = true;       ///< greedy of two exponents, sequential allocation; else one greedy
   bool warm_start = true;  ///< the plan in execution is a seed, too
 };
@@ -35,7 +35,7 @@ class TandemPlanner final : public Planner {
   [[nodiscard]] JointPlan best() override;
 
  private:
-  void take_seed(const Routes& routes);
+  void take_seed(Routes routes);
   [[nodiscard]] Routes greedy(double exponent, bool one_after_the_other) const;
   /// The lookouts at which the plan in execution has corners.
   [[nodiscard]] Routes running_plan() const;

@@ -31,28 +31,26 @@ TEST(LegBook, WithADetectionRateItSaysHowMuchOfACellsMassIsLeft) {
   for (std::size_t i = 0; i < leg.cells.size(); ++i) EXPECT_NEAR(leg.kept[i], std::exp(-0.5F * leg.stay_s[i]), 1e-6F);
 }
 
-TEST(LegBook, KnowsALegOnceItWasAskedForAndForgetsThoseOfAddedPlaces) {
+TEST(LegBook, KeepsALegWhereItIsAndForgetsThoseOfAddedPlaces) {
   SearchCase search(empty_room(16, 10), {3, 3}, {test_person()});
   LegBook& book = search.world().book(0);
-  const int start = *search.world().actions(0).add_place({3, 3}, 1.0);
-  EXPECT_EQ(book.known_leg(0, 1), nullptr);
-  (void)book.leg(0, 1);
-  (void)book.leg(start, 1);
-  EXPECT_NE(book.known_leg(0, 1), nullptr);
-  EXPECT_NE(book.known_leg(start, 1), nullptr);
+  ActionSet& actions = search.world().actions(0);
+  const CompactLeg* kept = &book.leg(0, 1);
+  const int start = *actions.add_place({3, 3}, 1.0);
+  const float from_the_left_s = book.leg(start, 1).duration_s;
+  EXPECT_EQ(&book.leg(0, 1), kept);
 
   search.world().forget_added_places();
-  EXPECT_NE(book.known_leg(0, 1), nullptr);
-  EXPECT_EQ(book.known_leg(start, 1), nullptr);
+  ASSERT_EQ(*actions.add_place({13, 8}, 1.0), start);  // the same number, another place
+  EXPECT_NE(book.leg(start, 1).duration_s, from_the_left_s);
+  EXPECT_EQ(&book.leg(0, 1), kept);
 }
 
-TEST(LegBook, PreparingFindsTheLegsToTheNearestLookouts) {
+TEST(LegBook, PreparingFindsTheLegsOfOneLookoutAfterTheOther) {
   SearchCase search(empty_room(16, 10), {3, 3}, {test_person()});
-  while (search.world().prepare_next()) {
-  }
-  for (const int near : search.world().actions(0).nearest_lookouts(2)) {
-    EXPECT_NE(search.world().book(0).known_leg(2, near), nullptr);
-  }
+  int steps = 0;
+  while (search.world().prepare_next()) ++steps;
+  EXPECT_EQ(steps, search.world().actions(0).lookouts());
 }
 
 }  // namespace
