@@ -11,10 +11,10 @@ constexpr int kPasses = 3;
 constexpr int kSamples = 8;         ///< of a leg, to see how far it is ahead at a finite rate
 constexpr double kRounding = 1e-6;  ///< relative, of single precision
 // Of first sight, measured best on the S1 families:
-constexpr double kPieceOfView = 3.0;         ///< the length of a piece of a walk, in ranges of view
-constexpr double kAheadOfView = 0.125;       ///< how far a leg may be ahead, in ranges of view and a search cell
-constexpr double kPieceAheadOfLeg = 0.2;     ///< how far an unfinished piece may be ahead, as a share of that
-constexpr std::size_t kMostLegs = 6;         ///< of a piece
+constexpr double kPieceOfView = 3.0;      ///< the length of a piece of a walk, in ranges of view
+constexpr double kAheadOfView = 0.125;    ///< how far a leg may be ahead, in ranges of view and a search cell
+constexpr double kPieceAheadOfLeg = 0.2;  ///< how far an unfinished piece may be ahead, as a share of that
+constexpr std::size_t kMostLegs = 6;      ///< of a piece
 
 /// What the members of one capability may be ahead, in seconds of the team's time.
 struct Allowance {
@@ -34,8 +34,8 @@ Allowance allowance_of(const LegTable::Capability& capability, double cell_size_
   return allowance;
 }
 
-/// Divides each price by the highest load of a leg, or of a beginning of one, that shows the cell. All loads are at most
-/// 1 then, as each cell of a leg was divided by that leg's load or more. A leg shorter than a piece may be ahead.
+/// Divides each price by the highest load of a leg, or of a beginning of one, that shows the cell. All loads are at
+/// most 1 then, as each cell of a leg was divided by that leg's load or more. A leg shorter than a piece may be ahead.
 void balance(const LegTable& table, const std::vector<Allowance>& allowances, std::vector<double>& price_s) {
   std::vector<double> highest(price_s.size(), 0.0);
   for (const LegTable::Row& row : table.rows) {
@@ -62,7 +62,11 @@ void balance(const LegTable& table, const std::vector<Allowance>& allowances, st
 class PieceCut {
  public:
   PieceCut(const LegTable& table, std::size_t capability, const Allowance& allowance, std::vector<double>& price_s)
-      : table_(table), allowance_(allowance), price_s_(price_s), highest_(price_s.size(), 1.0), in_piece_(price_s.size(), false) {
+      : table_(table),
+        allowance_(allowance),
+        price_s_(price_s),
+        highest_(price_s.size(), 1.0),
+        in_piece_(price_s.size(), false) {
     for (const LegTable::Row& row : table.rows) {
       if (row.capability != capability) continue;
       double shown_s = 0.0;
@@ -122,8 +126,8 @@ class PieceCut {
   const LegTable& table_;
   const Allowance& allowance_;
   std::vector<double>& price_s_;
-  std::vector<std::vector<Leg>> legs_;                ///< per place
-  std::vector<std::vector<double>> most_ahead_s_;     ///< by how many legs are left, then place
+  std::vector<std::vector<Leg>> legs_;             ///< per place
+  std::vector<std::vector<double>> most_ahead_s_;  ///< by how many legs are left, then place
   std::vector<double> highest_;
   std::vector<bool> in_piece_;
   std::vector<std::size_t> cells_;  ///< of the piece

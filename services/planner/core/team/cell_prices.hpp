@@ -10,9 +10,9 @@ namespace tandem {
 ///
 /// A walk is cut into pieces of some legs each. No piece shows cells of a higher price together than its budget; of a
 /// cell of which a look leaves something, as much of the price counts as is detected. So by t a member has looked at
-/// cells for at most its share of t - `from_s`, and `ahead_s` for what a piece under way shows before its time. These are
-/// dual prices of the covering problem whose columns are the pieces: any that keep that law hold. Longer pieces allow
-/// higher prices, as less is shown twice.
+/// cells for at most its share of t - `from_s`, and `ahead_s` for what a piece under way shows before its time. These
+/// are dual prices of the covering problem whose columns are the pieces: any that keep that law hold. Longer pieces
+/// allow higher prices, as less is shown twice.
 struct CellPrices {
   struct Member {
     double share = 0.0;    ///< of the team's time; all add up to 1

@@ -39,9 +39,7 @@ class Builder {
   }
 
  private:
-  [[nodiscard]] const Searcher& searcher(std::size_t capability) const {
-    return near_[capability].actions->searcher();
-  }
+  [[nodiscard]] const Searcher& searcher(std::size_t capability) const { return near_[capability].actions->searcher(); }
   [[nodiscard]] bool finds_at_once(std::size_t capability) const {
     return std::isinf(searcher(capability).detection_rate_per_s);
   }
@@ -50,9 +48,8 @@ class Builder {
     double total = 0.0;
     for (std::size_t i = 0; i < near_.size(); ++i) {
       const double share = searcher(i).speed_mps * searcher(i).view_max_m;
-      table_.capabilities.push_back(
-          {share, searcher(i).speed_mps, searcher(i).view_max_m, searcher(i).detection_rate_per_s, kInfinity,
-           near_[i].members});
+      table_.capabilities.push_back({share, searcher(i).speed_mps, searcher(i).view_max_m,
+                                     searcher(i).detection_rate_per_s, kInfinity, near_[i].members});
       total += share * static_cast<double>(near_[i].members.size());
     }
     for (LegTable::Capability& capability : table_.capabilities) capability.share /= total;
@@ -189,7 +186,7 @@ class Builder {
   const std::vector<double>& mass_;
   double share_ = 0.0;  ///< of the row's member
   std::uint32_t row_ = 0;
-  std::vector<std::uint32_t> row_of_;    ///< per cell, the last row that shows it
+  std::vector<std::uint32_t> row_of_;  ///< per cell, the last row that shows it
   std::vector<std::size_t> entry_of_;  ///< and its entry there
 };
 

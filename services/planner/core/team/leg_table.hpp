@@ -8,8 +8,8 @@
 
 namespace tandem {
 
-/// What each near leg shows a team of the cells that hold mass, in seconds of the team's time: a member's share of it is
-/// its speed times its range of view.
+/// What each near leg shows a team of the cells that hold mass, in seconds of the team's time: a member's share of it
+/// is its speed times its range of view.
 struct LegTable {
   struct Capability {
     double share = 0.0;  ///< of one member; those of all members add up to 1
@@ -34,8 +34,8 @@ struct LegTable {
   std::vector<Row> rows;
   // Entries: each cell once a row, ascending in time.
   std::vector<std::int32_t> cells;
-  std::vector<float> detected;  ///< the most of the cell's mass that the leg detects, as a share
-  std::vector<float> time_s;    ///< of the team, from the beginning of the leg
+  std::vector<float> detected;    ///< the most of the cell's mass that the leg detects, as a share
+  std::vector<float> time_s;      ///< of the team, from the beginning of the leg
   std::vector<double> in_view_s;  ///< per cell, when at the earliest; infinite: no leg shows it
   std::vector<bool> is_free;      ///< per cell, found where a member starts; not in the rows
 };

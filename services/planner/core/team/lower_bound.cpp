@@ -183,7 +183,8 @@ double bound_of_course_s(const SearchProblem& search, const LegTable& table, con
     const double from_s = finds.size() == 1 ? to_s - step_s : to_s;
     integral_s += step_s * left(to_s, team_time_s(prices, course, from_s, to_s));
   }
-  return integral_s + search.tail_s * left(search.horizon_s, team_time_s(prices, course, search.horizon_s, search.horizon_s));
+  return integral_s +
+         search.tail_s * left(search.horizon_s, team_time_s(prices, course, search.horizon_s, search.horizon_s));
 }
 
 }  // namespace

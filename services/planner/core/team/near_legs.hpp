@@ -14,7 +14,7 @@ struct NearLegs {
     const Leg* leg = nullptr;
   };
   ActionSet* actions = nullptr;
-  int searcher = 0;                ///< of the world, one of that capability
+  int searcher = 0;  ///< of the world, one of that capability
   std::vector<std::size_t> members;
   std::vector<Entry> legs;         ///< only from places that somebody reaches within the horizon
   std::vector<double> earliest_s;  ///< per place, when somebody can be there

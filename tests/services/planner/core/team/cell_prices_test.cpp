@@ -27,7 +27,8 @@ SearchCase random_case(Rng& rng, std::vector<Searcher> searchers) {
   for (double& mass : search.problem.masses.front()) mass *= rng.uniform() < 0.3 ? 0.0 : rng.uniform();
   // Nothing near the start: the first legs show nothing at first.
   for (int cell = 0; rng.uniform() < 0.7 && cell < search.world().area().size(); ++cell) {
-    if (search.world().area().point(cell).x() < 4.0) search.problem.masses.front()[static_cast<std::size_t>(cell)] = 0.0;
+    if (search.world().area().point(cell).x() < 4.0)
+      search.problem.masses.front()[static_cast<std::size_t>(cell)] = 0.0;
   }
   return search;
 }
@@ -92,8 +93,7 @@ TEST(CellPrices, NoLegShowsMoreThanItsTimePaysFor) {
           looks.push_back({&entry.leg->stay, 0.0, searcher.detection_rate_per_s});
           if (searcher.sees_all_around()) {
             const Eigen::Vector2d& from = near.actions->place(entry.from);
-            const Sightings arrival =
-                sightings_of_stay({from.x(), from.y(), 0.0}, search.world().views(near.searcher));
+            const Sightings arrival = sightings_of_stay({from.x(), from.y(), 0.0}, search.world().views(near.searcher));
             for (const std::int32_t cell : arrival.cells) price_s[static_cast<std::size_t>(cell)] = 0.0;
           }
         }
@@ -119,8 +119,7 @@ TEST(CellPrices, NoWalkEverLooksAtMoreThanItsTimePaysFor) {
       std::vector<Look> looks;
       priced.prepared.add_looks(m, random_walk(priced.prepared.members()[m], 30.0, rng), looks);
       for (double time_s = 0.1; time_s < 30.0; time_s += 0.1) {
-        const double paid_s =
-            time_s <= member.from_s ? 0.0 : member.share * (time_s - member.from_s) + member.ahead_s;
+        const double paid_s = time_s <= member.from_s ? 0.0 : member.share * (time_s - member.from_s) + member.ahead_s;
         ASSERT_LE(looked_at_s(looks, priced.prices.price_s, time_s), paid_s + 1e-6)
             << "world " << seed << ", member " << m << ", " << time_s << " s";
       }

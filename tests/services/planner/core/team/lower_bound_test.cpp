@@ -102,7 +102,8 @@ TEST(LowerBound, AnObjectFarAheadIsNotFoundBeforeOneIsWithinViewOfIt) {
   auto& mass = search.problem.masses.front();
   std::fill(mass.begin(), mass.end(), 0.0);
   mass[static_cast<std::size_t>(*search.world().area().cell_at({18.75, 1.25}))] = 1.0;
-  // Seen from 1 m, so not before the search cell that begins at 17.5 m: 15.75 s to walk; from that at 18 m at the latest.
+  // Seen from 1 m, so not before the search cell that begins at 17.5 m: 15.75 s to walk; from that at 18 m at the
+  // latest.
   EXPECT_GE(bound_s(search.problem), 15.75);
   EXPECT_LE(bound_s(search.problem), 16.25);
 }
