@@ -63,6 +63,12 @@ std::optional<int> ActionSet::add_place(const Vector2d& point_in_map, double rea
   return roads_.add_place(*node);
 }
 
+std::vector<int> ActionSet::near_lookouts(int from) {
+  std::vector<int> near;
+  for (const RoadGraph::Road& road : roads_.roads(from)) near.push_back(road.to);
+  return near;
+}
+
 const std::vector<int>& ActionSet::nearest_lookouts(int from) {
   auto& nearest = nearest_[static_cast<std::size_t>(from)];
   if (nearest.empty()) {

@@ -77,7 +77,9 @@ class ActionSet {
   /// Whether a leg needs no stop in between: one from a lookout to one of the nearest, one from or to an added place as
   /// far as four times as many lookouts, and one between added places.
   [[nodiscard]] bool is_near(int from, int to);
-  /// The lookouts nearest to a place, itself not among them.
+  /// All lookouts to which a leg from a place needs no stop, the nearest first.
+  [[nodiscard]] std::vector<int> near_lookouts(int from);
+  /// The lookouts nearest to a place, itself not among them: those worth looking at first.
   [[nodiscard]] const std::vector<int>& nearest_lookouts(int from);
   /// What a lookout shows to all sides, to guess what a far one is worth.
   [[nodiscard]] const View& panorama(int lookout);

@@ -4,15 +4,16 @@
 
 namespace tandem {
 
-/// An expected time that no plan of the problem can beat, however its members move [s]; with several objects, that of
-/// the one that takes longest. 0 where a person may not follow the plan or there is nothing to be found.
+/// An expected time to find all objects that no plan of the problem beats [s]; 0 if none is known.
 ///
-/// What is seen by time t lies within view of where somebody can be by then, and within the strip that the team can
-/// have swept: the view around each start and, for each metre walked, as wide as the view. So by t no more is found
-/// than the densest cells in reach, up to the area swept, and what is looked at anyway; to see is taken as to find.
-/// E[T] is at least the integral of what is left then (digest 4, bounds). A member looks from the point of its search
-/// cell, and an object may lie anywhere in its own, so views count as longer by a cell's diagonal. Time: 200 passes
-/// over the cells.
+/// Plans are walks of each member over legs between near places: from a place to the lookouts nearest to it, and to its
+/// goal from the lookouts nearest to that, all else being chains of such legs. Looks of CellPrices cost time, so by t
+/// the team has found no more than the cells with most mass per price that the time until then pays for and that can be
+/// in view by then, and what is looked at anyway. E[T] is at least the integral of what is left; of several objects, of
+/// the probability that one of them is.
+///
+/// With people who may not follow the plan it is the mean over what they may do. Unknown where lookouts exist that no
+/// chain of near legs leads to.
 [[nodiscard]] double lower_bound_s(const PreparedProblem& problem);
 
 }  // namespace tandem
