@@ -2,9 +2,9 @@
 
 namespace tandem {
 
-void PlanAcceptance::propose(Time now, Time valid_until) {
+void PlanAcceptance::propose(Time shown, Time valid_until) {
   standing_ = PlanStanding::Proposed;
-  proposed_ = now;
+  proposed_ = shown;
   valid_until_ = valid_until;
 }
 

@@ -12,8 +12,9 @@ class PlanAcceptance {
  public:
   explicit PlanAcceptance(Duration acceptance_delay) : acceptance_delay_(acceptance_delay) {}
 
-  /// A new plan is proposed; the one before is superseded.
-  void propose(Time now, Time valid_until);
+  /// A new plan is proposed; the one before is superseded. `shown`: since when the team has been reading it, or a plan
+  /// so like it that it need not be read again.
+  void propose(Time shown, Time valid_until);
   /// The person pressed Replan: a proposal is rejected, a plan under way superseded.
   void replan(Time now);
   /// Something else makes the plan void: superseded.

@@ -12,6 +12,8 @@ struct SearchMission::Computation {
   SearchProblem problem;
   std::unique_ptr<Planner> planner;  ///< of `problem`, so this never moves
   std::string reason;
+  bool overtaken = false;      ///< the person has edited something that it does not know of
+  bool while_reading = false;  ///< begun while another plan was proposed and not accepted yet
 };
 
 }  // namespace tandem

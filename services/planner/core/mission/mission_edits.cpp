@@ -19,9 +19,21 @@ std::optional<std::string> SearchMission::edit_belief(const BeliefEdit& edit) {
   if (activity_ == MissionActivity::Finished) return "the search is over";
   if (auto refusal = tandem::edit_belief(*belief_, world_->area(), edit, kPerson)) return refusal;
   person_said_where_ = true;
-  computation_.reset();  // what was being computed did not know of this
+  begin_computing_anew();
   ++world_version_;
   return std::nullopt;
+}
+
+/// What is being computed does not know of an edit. It is begun anew, but only once: another edit waits for the next
+/// plan, so that there is a plan however fast edits follow each other.
+void SearchMission::begin_computing_anew() {
+  if (!computation_) return;
+  if (begun_anew_) {
+    computation_->overtaken = true;
+  } else {
+    computation_.reset();
+    begun_anew_ = true;
+  }
 }
 
 std::optional<std::string> SearchMission::edit_source(const SourceEdit& edit, Time now) {
@@ -34,8 +46,9 @@ std::optional<std::string> SearchMission::edit_source(const SourceEdit& edit, Ti
   }
   auto refusal = edit.kind == SourceEdit::Kind::GoTo ? go_to(edit, now) : keep_out(edit);
   if (refusal) return refusal;
+  if (edit.kind == SourceEdit::Kind::Avoid && plan_enters(edit, now)) acceptance_.withdraw();
   person_drew_ = true;
-  computation_.reset();
+  begin_computing_anew();
   ++world_version_;
   return std::nullopt;
 }
@@ -64,6 +77,19 @@ std::vector<Relation> SearchMission::relations() const {
 
 bool SearchMission::concerns(const SourceEdit& edit, std::size_t member) const {
   return edit.targets.empty() || std::ranges::find(edit.targets, agents_[member]) != edit.targets.end();
+}
+
+/// Whether somebody whom the edit concerns would still walk into its region.
+bool SearchMission::plan_enters(const SourceEdit& edit, Time now) const {
+  constexpr double kStep_s = 0.2;
+  for (std::size_t m = 0; plan_ && m < plan_->members.size(); ++m) {
+    if (!concerns(edit, m)) continue;
+    const TimedPath& path = plan_->members[m].path;
+    for (double time_s = std::max(0.0, elapsed_s(now)); time_s <= path.duration_s(); time_s += kStep_s) {
+      if (contains(edit.region, pose_at(path, time_s).position())) return true;
+    }
+  }
+  return false;
 }
 
 std::vector<BlockedDisc> SearchMission::kept_out_of(std::size_t member) const {
@@ -137,7 +163,7 @@ std::optional<std::string> SearchMission::remove_source(const std::string& id) {
   if (found == drawn_.end()) return "nothing of this id is drawn";
   const SourceEdit edit = *found;
   drawn_.erase(found);
-  computation_.reset();
+  begin_computing_anew();
   person_drew_ = true;
   ++world_version_;
   renew_ways(edit);

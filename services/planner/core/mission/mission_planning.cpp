@@ -44,6 +44,12 @@ double length_m(const TimedPath& path) {
   return sum_m;
 }
 
+std::vector<TimedPath> paths_of(const MissionPlan& plan) {
+  std::vector<TimedPath> paths;
+  for (const auto& member : plan.members) paths.push_back(member.path);
+  return paths;
+}
+
 }  // namespace
 
 bool SearchMission::person_is_known(Time now) const {
@@ -64,6 +70,7 @@ PlanSituation SearchMission::situation(Time now) const {
   situation.goal_reached = person_reached_goal_;
   situation.person_said_where = person_said_where_;
   situation.person_drew = person_drew_;
+  situation.edits_must_wait = postponed_;
   situation.person_is_new = !person_planned_ && person_is_known(now);
   if (person_off_plan_since_) situation.person_off_plan_s = to_seconds(now - *person_off_plan_since_);
   if (!survival_.empty() && left_when_planned_ > 0.0) {
@@ -126,6 +133,7 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
 
   auto computation = std::make_unique<Computation>();
   computation->reason = reason;
+  computation->while_reading = before == PlanStanding::Proposed;
   SearchProblem& problem = computation->problem;
   problem.world = world_.get();
   problem.masses = {belief_->posterior()};
@@ -154,14 +162,16 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
   failure_.clear();
 }
 
-/// What is left of a plan under way, so that the next one is no worse; nothing if none is.
+/// What is left of a plan under way or being read, so that the next one is no worse and differs only for something
+/// better; nothing if none is.
 std::vector<TimedPath> SearchMission::rest_of_plan(Time now) const {
   const PlanStanding before = standing(now);
-  const bool was_under_way = before == PlanStanding::Accepted || before == PlanStanding::Superseded;
+  const bool was_under_way = before == PlanStanding::Accepted || before == PlanStanding::Superseded ||
+                             before == PlanStanding::Proposed;
   std::vector<TimedPath> rest;
   if (!plan_ || !was_under_way) return rest;
   for (std::size_t m = 0; m < plan_->members.size(); ++m) {
-    rest.push_back(rest_of(plan_->members[m].path, elapsed_s(now), seen_[m]->map_from_agent.position()));
+    rest.push_back(rest_of(plan_->members[m].path, std::max(0.0, elapsed_s(now)), seen_[m]->map_from_agent.position()));
   }
   return rest;
 }
@@ -209,6 +219,22 @@ std::string SearchMission::explanation(const JointPlan& joint, const MissionPlan
   return explanation_of(facts);
 }
 
+/// Shows the plan to the team. One that begins like the plan they are reading is accepted when that would have been.
+void SearchMission::propose(MissionPlan plan, double duration_s, Time now) {
+  const bool in_place_of_a_proposal = plan_ && computation_->while_reading && standing(now) != PlanStanding::Rejected &&
+                                      standing(now) != PlanStanding::Superseded;
+  const bool begins_alike = in_place_of_a_proposal && plan_->members.size() == plan.members.size() &&
+                            is_like(paths_of(plan), paths_of(*plan_));
+  if (!begins_alike) {
+    proposed_ = now;
+    postponed_ = in_place_of_a_proposal && (person_said_where_ || person_drew_);
+  }
+  plan.start = std::max(now, proposed_ + from_seconds(config_.acceptance_delay_s));
+  plan.valid_until = plan.start + from_seconds(kSlackOfPlans * duration_s + kSlack_s);
+  acceptance_.propose(proposed_, plan.valid_until);
+  plan_ = std::move(plan);
+}
+
 void SearchMission::finish_plan(Time now) {
   const JointPlan joint = computation_->planner->best();
   survival_ = survival_of(computation_->problem, joint.paths, kSurvivalStep_s);
@@ -216,7 +242,6 @@ void SearchMission::finish_plan(Time now) {
   plan.id = session_ + "-" + agents_[kRobot] + "-" + std::to_string(++plans_) + "-" +
             std::to_string(to_stamp_ns(now) / 1'000'000);
   plan.world_version = world_version_;
-  plan.start = now + from_seconds(config_.acceptance_delay_s);
   plan.forecast = joint.forecast;
   plan.lower_bound_s = joint.lower_bound_s;
   plan.reason = computation_->reason;
@@ -230,17 +255,17 @@ void SearchMission::finish_plan(Time now) {
   const bool person_fixed = plan.members.size() > kPerson && plan.members[kPerson].goal_fixed;
   plan.role = role_of(person_fixed, plan.members[kRobot].goal_fixed);
   plan.explanation = explanation(joint, plan);
-  plan.valid_until = plan.start + from_seconds(kSlackOfPlans * duration_s + kSlack_s);
-  acceptance_.propose(now, plan.valid_until);
-  proposed_ = now;
+  propose(std::move(plan), duration_s, now);
   left_when_planned_ = belief_->probability_left();
-  person_planned_ = plan.members.size() > kPerson;
-  plan_ = std::move(plan);
+  person_planned_ = plan_->members.size() > kPerson;
+  if (!computation_->overtaken) {
+    person_said_where_ = false;
+    person_drew_ = false;
+  }
   computation_.reset();
+  begun_anew_ = false;
   robot_finished_ = false;
   person_reached_goal_ = false;
-  person_said_where_ = false;
-  person_drew_ = false;
   person_off_plan_since_.reset();
   blocked_since_.reset();
   activity_ = MissionActivity::Idle;

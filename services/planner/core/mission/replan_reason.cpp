@@ -1,6 +1,11 @@
 #include "services/planner/core/mission/replan_reason.hpp"
 
 namespace tandem {
+namespace {
+
+constexpr double kHeard_s = 1.0;  ///< so long after its acceptance everybody has heard of it
+
+}  // namespace
 
 std::optional<std::string> replan_reason(const PlanSituation& situation, const PlannerConfig& config) {
   switch (situation.standing) {
@@ -9,6 +14,7 @@ std::optional<std::string> replan_reason(const PlanSituation& situation, const P
     case PlanStanding::Rejected:
       return "the person rejected the plan";
     case PlanStanding::Superseded:
+      if (situation.person_drew) return "the person drew on the map";
       return "the person asked for a new plan";
     case PlanStanding::Expired:
       return "the plan was not finished in time";
@@ -16,8 +22,13 @@ std::optional<std::string> replan_reason(const PlanSituation& situation, const P
     case PlanStanding::Accepted:
       break;
   }
-  if (situation.person_said_where) return "the person knows something of where it is";
-  if (situation.person_drew) return "the person drew on the map";
+  const bool edits_may_act = situation.standing == PlanStanding::Accepted
+                                 ? situation.age_s >= config.acceptance_delay_s + kHeard_s
+                                 : !situation.edits_must_wait;
+  if (edits_may_act) {
+    if (situation.person_said_where) return "the person knows something of where it is";
+    if (situation.person_drew) return "the person drew on the map";
+  }
   if (situation.blocked) return "the robot's path is blocked";
   if (situation.standing == PlanStanding::Accepted) {
     if (situation.robot_finished) return "the robot is at the end of its path";

@@ -76,7 +76,8 @@ class SearchMission {
   [[nodiscard]] std::optional<std::string> request(const PersonRequest& request, Time now);
   /// Changes where the object is believed to be as the person says, or says why not.
   [[nodiscard]] std::optional<std::string> edit_belief(const BeliefEdit& edit);
-  /// Adds or removes what the person draws on the map, or says why not.
+  /// Adds or removes what the person draws on the map, or says why not. A plan that enters what it is now kept out of
+  /// is withdrawn at once.
   [[nodiscard]] std::optional<std::string> edit_source(const SourceEdit& edit, Time now);
   void robot_progress(const RobotProgress& progress, Time now);
   /// The object is found: the search is over.
@@ -122,6 +123,7 @@ class SearchMission {
   [[nodiscard]] PlanSituation situation(Time now) const;
   void begin_plan(Time now, const std::string& reason);
   void finish_plan(Time now);
+  void begin_computing_anew();
   void forget_old_blockages(Time now);
   [[nodiscard]] std::vector<BlockedDisc> kept_out_of(std::size_t member) const;
   void find_ways_anew(std::size_t member, const std::vector<BlockedDisc>& blocked);
@@ -134,8 +136,10 @@ class SearchMission {
   [[nodiscard]] bool concerns(const SourceEdit& edit, std::size_t member) const;
   void forget_drawn_goals(std::size_t member);
   void forget_drawn();
+  [[nodiscard]] bool plan_enters(const SourceEdit& edit, Time now) const;
   [[nodiscard]] SearchMember member_of_plan(std::size_t member, Time now) const;
   [[nodiscard]] std::vector<TimedPath> rest_of_plan(Time now) const;
+  void propose(MissionPlan plan, double duration_s, Time now);
   [[nodiscard]] std::string explanation(const JointPlan& joint, const MissionPlan& plan) const;
   void follow_person(Time now);
   void drop_reached_goals(Time now);
@@ -160,9 +164,11 @@ class SearchMission {
   std::unique_ptr<Computation> computation_;
   std::optional<MissionPlan> plan_;
   PlanAcceptance acceptance_;
-  Time proposed_{};
+  Time proposed_{};                 ///< when what the team reads now was first shown to them
+  bool postponed_ = false;          ///< edits have put off the acceptance once already
   double left_when_planned_ = 1.0;  ///< P(not found) when the plan was made
   std::vector<double> survival_;    ///< what the plan promises
+  bool begun_anew_ = false;         ///< edits have cut short the making of this plan once already
   bool person_planned_ = false;
   bool person_said_where_ = false;
   bool person_drew_ = false;

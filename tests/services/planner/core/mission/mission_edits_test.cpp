@@ -70,6 +70,97 @@ TEST_F(MissionEdits, AnEditWhileComputingBeginsAnew) {
   EXPECT_FALSE(mission.step(now, kNeverOver));
 }
 
+TEST_F(MissionEdits, OneWhoKeepsEditingDoesNotKeepTheTeamFromMoving) {
+  run();
+  const PlanarShape left_end = Polygon{{{0.5, 0.5}, {4, 0.5}, {4, 10.5}, {0.5, 10.5}}};
+  int plans = 0;
+  std::optional<double> first_accepted_s;
+  for (int i = 0; i < 200; ++i, pass(milliseconds{100})) {
+    plans += mission.step(now, kNeverOver) ? 1 : 0;
+    const bool right = i / 5 % 2 == 0;  // they change their mind twice a second
+    if (i % 5 == 0) {
+      EXPECT_FALSE(mission.edit_belief({BeliefEdit::Kind::LikelyHere, right ? kRightEnd : left_end, "very"}));
+    }
+    if (!first_accepted_s && mission.standing(now) == PlanStanding::Accepted) first_accepted_s = 0.1 * i;
+  }
+  ASSERT_TRUE(first_accepted_s);
+  EXPECT_LE(*first_accepted_s, 6.5);  // put off once
+  EXPECT_LE(plans, 12);               // two in each 4 s, not two a second
+}
+
+TEST_F(MissionEdits, WhatIsEditedWhileEditsWaitMakesOnePlan) {
+  run();
+  ASSERT_TRUE(plan());
+  EXPECT_FALSE(mission.edit_belief({BeliefEdit::Kind::LikelyHere, kRightEnd, "very"}));
+  ASSERT_TRUE(plan());
+  ASSERT_FALSE(mission.plan()->start == now) << "the second plan was to be another one";
+  const std::string read = mission.plan()->id;
+  for (int i = 0; i < 29; ++i, pass(milliseconds{100})) {
+    if (i == 5) {
+      EXPECT_FALSE(mission.edit_belief({BeliefEdit::Kind::NotHere, Disc{{10, 8}, 1.0}, ""}));
+    }
+    if (i == 9) {
+      EXPECT_FALSE(mission.edit_source(drawn(SourceEdit::Kind::GoTo, Disc{{8, 2}, 1.0}, {"person"}), now));
+    }
+    EXPECT_FALSE(mission.step(now, kNeverOver)) << i;
+  }
+  EXPECT_EQ(mission.plan()->id, read);
+  EXPECT_EQ(mission.standing(now + milliseconds{200}), PlanStanding::Accepted);
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(mission.plan()->role, Role::PeerPeer);  // knows of the goal
+  EXPECT_FALSE(mission.step(now, kNeverOver));      // and of the rest
+}
+
+TEST_F(MissionEdits, APlanThatBeginsLikeTheOneBeingReadIsAcceptedWhenThatWouldHaveBeen) {
+  PlannerConfig first_plans = config();
+  first_plans.rollouts = 0;  // nothing is found by chance
+  SearchMission steady(first_plans, "robot", "person");
+  steady.set_map(empty_room(16, 10));
+  const auto plan_at = [&](Duration later) {
+    now += later;
+    steady.robot_at(now, robot);
+    steady.person_at(now, person, 0.0);
+    return steady.step(now, kNeverOver);
+  };
+  EXPECT_FALSE(plan_at(seconds{0}));
+  steady.run_session("s1", now);
+  ASSERT_TRUE(plan_at(seconds{0}));
+  const std::string id = steady.plan()->id;
+  const Time accepted = steady.plan()->start;
+  for (int i = 0; i < 2; ++i) {  // however often
+    EXPECT_FALSE(steady.edit_belief({BeliefEdit::Kind::NotHere, Disc{{16, 10}, 0.8}, i == 0 ? "a bit" : "quite"}));
+    ASSERT_TRUE(plan_at(seconds{1}));
+    EXPECT_NE(steady.plan()->id, id);
+    EXPECT_EQ(steady.plan()->start, accepted);
+  }
+  EXPECT_EQ(steady.standing(accepted), PlanStanding::Accepted);
+}
+
+TEST_F(MissionEdits, EditsFasterThanComputingCutItShortOnce) {
+  run();
+  const auto slice = [rollouts = 0]() mutable { return ++rollouts % 5 == 0; };
+  int slices = 0;
+  for (; slices < 100 && !mission.step(now, slice); ++slices, pass(milliseconds{100})) {
+    EXPECT_FALSE(mission.edit_belief({BeliefEdit::Kind::LikelyHere, kRightEnd, slices % 2 == 0 ? "very" : "a bit"}));
+  }
+  EXPECT_LT(slices, 20);
+  const std::string first = mission.plan()->id;
+  ASSERT_TRUE(plan());  // the words it did not know of are not lost
+  EXPECT_NE(mission.plan()->id, first);
+}
+
+TEST_F(MissionEdits, APlanIntoWhatIsNowForbiddenIsWithdrawnAtOnce) {
+  run();
+  ASSERT_TRUE(plan());
+  pass(seconds{4});
+  ASSERT_EQ(mission.standing(now), PlanStanding::Accepted);
+  const Vector2d ahead = pose_at(paths()[0], 10.0).position();
+  EXPECT_FALSE(mission.edit_source(drawn(SourceEdit::Kind::Avoid, Disc{ahead, 0.5}), now));
+  EXPECT_EQ(mission.standing(now), PlanStanding::Superseded);
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(mission.plan()->reason, "the person drew on the map");
+}
+
 TEST_F(MissionEdits, NobodyWalksWhereEverybodyIsKeptOut) {
   run();
   ASSERT_TRUE(plan());

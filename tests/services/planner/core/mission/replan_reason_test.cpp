@@ -28,11 +28,25 @@ TEST(ReplanReason, WithoutAPlanThatStandsThereIsAlwaysOne) {
 
 TEST(ReplanReason, WhatThePersonSaysCannotWait) {
   PlanSituation situation = under_way();
-  situation.age_s = 0.0;
+  situation.age_s = 4.0;  // accepted at 3 s
   situation.person_drew = true;
   EXPECT_EQ(replan_reason(situation, {}), "the person drew on the map");
   situation.person_said_where = true;
   EXPECT_EQ(replan_reason(situation, {}), "the person knows something of where it is");
+}
+
+TEST(ReplanReason, EditsWaitForAnAcceptanceThatEditsHavePutOffOnce) {
+  PlanSituation situation = under_way();
+  situation.standing = PlanStanding::Proposed;
+  situation.person_said_where = true;
+  EXPECT_TRUE(replan_reason(situation, {}));
+  situation.edits_must_wait = true;
+  EXPECT_EQ(replan_reason(situation, {}), std::nullopt);
+  situation.standing = PlanStanding::Accepted;
+  situation.age_s = 3.9;
+  EXPECT_EQ(replan_reason(situation, {}), std::nullopt);  // the robot may not have heard of it
+  situation.age_s = 4.0;
+  EXPECT_TRUE(replan_reason(situation, {}));
 }
 
 TEST(ReplanReason, ABlockedPathCannotWait) {
