@@ -64,6 +64,7 @@ void SearchMission::start_search() {
   forget_drawn();
   person_said_where_ = false;
   begun_anew_ = false;
+  postponed_ = false;
   habits_ = PersonHabits(config_.person_trust_s);
   for (auto& watch : watches_) watch.pause();
   activity_ = MissionActivity::Idle;
