@@ -30,13 +30,14 @@ TEST(NearLegs, SaysWhenAPlaceCanBeReached) {
   }
 }
 
-TEST(NearLegs, LeadToAGoalFromTheLookoutsNearIt) {
+TEST(NearLegs, LeadToAGoalFromTheLookoutsNearItAndFromTheStart) {
   SearchCase search(empty_room(12, 6), {3, 3}, {test_person()}, 1.0);
   search.problem.members[0].goal = Eigen::Vector2d{10.0, 4.0};
   const PreparedProblem prepared(search.problem);
   const int goal = *prepared.members()[0].goal;
   const NearLegs near = near_legs(prepared).front();
-  const auto& around = near.actions->nearest_lookouts(goal);
+  std::vector<int> around = near.actions->near_lookouts(goal);
+  around.push_back(prepared.members()[0].start);
   for (const NearLegs::Entry& entry : near.legs) {
     if (entry.to == goal) {
       EXPECT_NE(std::ranges::find(around, entry.from), around.end());
