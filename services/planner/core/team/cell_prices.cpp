@@ -11,10 +11,8 @@ constexpr int kPasses = 3;
 constexpr int kSamples = 8;         ///< of a leg, to see how far it is ahead at a finite rate
 constexpr double kRounding = 1e-6;  ///< relative, of single precision
 // Of first sight, measured best on the S1 families:
-constexpr double kPieceOfView = 3.0;      ///< the length of a piece of a walk, in ranges of view
 constexpr double kAheadOfView = 0.125;    ///< how far a leg may be ahead, in ranges of view and a search cell
 constexpr double kPieceAheadOfLeg = 0.2;  ///< how far an unfinished piece may be ahead, as a share of that
-constexpr std::size_t kMostLegs = 6;      ///< of a piece
 
 /// What the members of one capability may be ahead, in seconds of the team's time.
 struct Allowance {
@@ -30,7 +28,7 @@ Allowance allowance_of(const LegTable::Capability& capability, double cell_size_
   const double team_s_per_m = capability.share / capability.speed_mps;
   allowance.leg_s = team_s_per_m * (cell_size_m + kAheadOfView * capability.view_max_m);
   allowance.piece_s = kPieceAheadOfLeg * allowance.leg_s;
-  allowance.piece_length_s = team_s_per_m * kPieceOfView * capability.view_max_m;
+  allowance.piece_length_s = team_s_per_m * kPieceOfViews * capability.view_max_m;
   return allowance;
 }
 
@@ -75,8 +73,8 @@ class PieceCut {
       if (legs_.size() < places) legs_.resize(places);
       legs_[static_cast<std::size_t>(row.from)].push_back({&row, shown_s - row.budget_s});
     }
-    most_ahead_s_.assign(kMostLegs, std::vector<double>(legs_.size(), 0.0));
-    for (std::size_t legs = 1; legs < kMostLegs; ++legs) {
+    most_ahead_s_.assign(kMostLegsOfPiece, std::vector<double>(legs_.size(), 0.0));
+    for (std::size_t legs = 1; legs < kMostLegsOfPiece; ++legs) {
       for (std::size_t place = 0; place < legs_.size(); ++place) {
         for (const Leg& leg : legs_[place]) {
           double& most_s = most_ahead_s_[legs][place];
@@ -87,7 +85,7 @@ class PieceCut {
   }
 
   void cut() {
-    for (std::size_t place = 0; place < legs_.size(); ++place) go_on(place, kMostLegs, 0.0, 0.0);
+    for (std::size_t place = 0; place < legs_.size(); ++place) go_on(place, kMostLegsOfPiece, 0.0, 0.0);
     for (std::size_t cell = 0; cell < price_s_.size(); ++cell) price_s_[cell] /= highest_[cell];
   }
 

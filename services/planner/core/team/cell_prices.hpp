@@ -1,10 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "services/planner/core/team/leg_table.hpp"
 
 namespace tandem {
+
+/// A piece of a walk ends when it is so long, in ranges of view of a searcher to whom seen is found ...
+inline constexpr double kPieceOfViews = 3.0;
+/// ... or has so many legs. At a finite rate what legs detect does not add up, and each leg is a piece.
+inline constexpr std::size_t kMostLegsOfPiece = 6;
 
 /// What it costs a team at least to look at each search cell, in seconds of the whole team's time.
 ///

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLeastBudget_s = 1e-9;
-constexpr double kBorder = 1e-6;  ///< so near to the border of a search cell a place is on it [cells]
+constexpr double kBorder = 1e-4;  ///< so near to the border of a search cell a place is on it [cells]
 
 bool is_on_border(const SearchArea& area, const Eigen::Vector2d& point_in_map) {
   const Eigen::Array2d cells = ((point_in_map - area.origin_in_map()) / area.cell_size_m()).array();

@@ -42,10 +42,9 @@ SearchCase random_case(std::uint64_t seed, std::vector<Searcher> searchers) {
 
 /// The ways on from a place: all that near legs lead to.
 std::vector<int> ways_on(const PreparedProblem::Member& member, int place) {
-  std::vector<int> next = member.actions->nearest_lookouts(place);
-  if (member.goal && place != *member.goal) {
-    const auto& around = member.actions->nearest_lookouts(*member.goal);
-    if (std::ranges::find(around, place) != around.end()) next.push_back(*member.goal);
+  std::vector<int> next = member.actions->near_lookouts(place);
+  if (member.goal && place != *member.goal && member.actions->is_near(place, *member.goal)) {
+    next.push_back(*member.goal);
   }
   return next;
 }
