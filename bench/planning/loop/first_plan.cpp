@@ -51,10 +51,17 @@ FirstPlanRecord made_first_plan(const FirstPlanRequest& request) {
   before_ms = thread_cpu_ms();
   planner->begin(problem, Rng{request.key.planner_seed});
   record.first_plan_ms = thread_cpu_ms() - before_ms;
-  record.first_value_s = planner->best().forecast.expected_time_s;
+  // A budget is for planning; what is reported, the lower bound above all, takes time of its own.
+  const auto best = [&] {
+    const double asked_ms = thread_cpu_ms();
+    JointPlan plan = planner->best();
+    before_ms += thread_cpu_ms() - asked_ms;
+    return plan;
+  };
+  record.first_value_s = best().forecast.expected_time_s;
   for (const double budget_ms : request.budgets_ms) {
     planner->run(std::numeric_limits<int>::max(), [&] { return thread_cpu_ms() - before_ms >= budget_ms; });
-    const JointPlan plan = planner->best();
+    const JointPlan plan = best();
     record.budgets_ms.push_back(budget_ms);
     record.values_s.push_back(plan.forecast.expected_time_s);
     record.bounds_s.push_back(plan.lower_bound_s);

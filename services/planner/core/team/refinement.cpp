@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kLongestPiece = 5;
 constexpr std::size_t kLongestReversal = 12;
+constexpr double kSame_s = 1e-9;
 constexpr double kHeating = 3.0;  ///< after a cycle that found nothing better, the next begins so much warmer
 constexpr double kHottest = 4.0;  ///< times the warmth at first
 constexpr int kMostDrift = 200;   ///< changes accepted by estimate until the value is made exact again
@@ -91,7 +92,7 @@ void Refinement::judge(double temperature_s, double u) {
   // A late change decides on little; at one temperature for all, nearly every one of them would be taken.
   if (change_s) temperature_s *= estimate_->share_at_stake();
   if (trial_s > current_s_ - temperature_s * std::log(1.0 - u)) return;
-  if (trial_s > current_s_ - 1e-9 && is_longer()) return;  // places that nobody gets to would pile up
+  if (std::abs(trial_s - current_s_) < kSame_s && is_longer()) return;  // places that nobody needs would pile up
   std::swap(current_, trial_);
   if (change_s && drifted_ < kMostDrift) {
     estimate_->accept(current_);

@@ -1,5 +1,6 @@
 #include "services/planner/core/team/tandem_planner.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <map>
@@ -11,6 +12,7 @@ namespace tandem {
 namespace {
 
 constexpr int kSeedChoices = 1;
+constexpr int kTreeOften = 16;          ///< rollouts; with so few lookouts a tree is searched through
 constexpr std::size_t kMowable = 5000;  ///< search cells; mowing a larger area takes longer than a first plan may
 constexpr double kSamePlace_m = 1e-3;
 
@@ -26,6 +28,8 @@ void TandemPlanner::begin(const SearchProblem& problem, Rng rng) {
   assert(!problem.members.empty() && !problem.masses.empty());
   rng_ = rng;
   rollouts_ = 0;
+  bound_s_.reset();
+  tree_every_ = options_.tree_every;
   refinement_.reset();
   tree_.reset();
   value_.reset();
@@ -34,6 +38,9 @@ void TandemPlanner::begin(const SearchProblem& problem, Rng rng) {
   value_.emplace(ground_);
   tree_.emplace(ground_, *value_, options_.tree, options_.walk);
   refinement_.emplace(ground_, *value_, options_.refinement);
+  int lookouts = 0;
+  for (const PreparedProblem::Member& who : problem_->members()) lookouts = std::max(lookouts, who.actions->lookouts());
+  tree_every_ = std::min(tree_every_, std::max(kTreeOften, lookouts));
   best_ = Routes(problem.members.size());
   best_s_ = value_->value_s(best_);
   incumbent_ = best_;
@@ -102,7 +109,7 @@ Routes TandemPlanner::running_plan() const {
 
 void TandemPlanner::run(int rollouts, const std::function<bool()>& stop) {
   for (int i = 0; i < rollouts && !(stop && stop()); ++i, ++rollouts_) {
-    if (options_.tree_every > 0 && rollouts_ % options_.tree_every == 0) {
+    if (tree_every_ > 0 && rollouts_ % tree_every_ == 0) {
       const double value_s = tree_->rollout(rng_);
       if (value_s < best_s_) {
         best_ = tree_->routes();
@@ -114,7 +121,7 @@ void TandemPlanner::run(int rollouts, const std::function<bool()>& stop) {
       continue;
     best_ = refinement_->best();
     best_s_ = refinement_->best_s();
-    if (options_.tree_every > 0) tree_->remember(best_, best_s_);
+    if (tree_every_ > 0) tree_->remember(best_, best_s_);
   }
 }
 
@@ -124,7 +131,8 @@ JointPlan TandemPlanner::best() {
     incumbent_s_ = exact_s;
   }
   JointPlan plan = problem_->plan(incumbent_);
-  plan.lower_bound_s = lower_bound_s(*problem_);
+  if (!bound_s_) bound_s_ = lower_bound_s(*problem_);
+  plan.lower_bound_s = *bound_s_;
   return plan;
 }
 

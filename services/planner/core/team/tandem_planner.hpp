@@ -15,7 +15,7 @@ struct TandemOptions {
   WalkOptions walk;
   RefinementOptions refinement;
   int moves = 48;          ///< of refinement in a rollout; 0: tree only
-  int tree_every = 128;    ///< only one rollout of so many goes through the tree; 0: none
+  int tree_every = 128;    ///< only one rollout of so many goes through the tree, of fewer with few lookouts; 0: none
   bool seeds = true;       ///< greedy of two exponents, sequential allocation; else one greedy
   bool warm_start = true;  ///< the plan in execution is a seed, too
 };
@@ -51,6 +51,8 @@ class TandemPlanner final : public Planner {
   double best_s_ = 0.0;
   Routes incumbent_;  ///< the best that was asked for, or the best seed: by its exact value
   double incumbent_s_ = 0.0;
+  int tree_every_ = 0;             ///< rollouts
+  std::optional<double> bound_s_;  ///< of this problem, once it was asked for
   int rollouts_ = 0;
 };
 
