@@ -113,6 +113,7 @@ class Loop {
       SearchMember member;
       member.searcher = static_cast<int>(m);
       member.pose = poses_[m];
+      member.battery_s = battery_s(m);
       if (m == person_ && person_walk_) {
         member.goal = person_walk_->goal();
         if (now_s_ > 0.0) member.committed = person_walk_->under_way(kReaction_s);
@@ -134,11 +135,16 @@ class Loop {
     return problem;
   }
 
+  /// How long a member can still go on.
+  [[nodiscard]] double battery_s(std::size_t member) const {
+    return std::max(0.0, instance_.searchers[member].endurance_s - now_s_);
+  }
+
   /// Everybody goes to see what is nearest to them.
   void go_to_unseen() {
     ++result_.fallbacks;
     for (std::size_t m = 0; m < poses_.size(); ++m) {
-      current_[m] = nearest_unseen_walk(*world_, static_cast<int>(m), poses_[m], left_);
+      current_[m] = path_until(nearest_unseen_walk(*world_, static_cast<int>(m), poses_[m], left_), battery_s(m));
     }
   }
 

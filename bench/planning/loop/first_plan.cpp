@@ -26,6 +26,7 @@ SearchProblem problem_at_start(const PlanningInstance& instance, SearchWorld& wo
     SearchMember member;
     member.searcher = m;
     member.pose = instance.starts[static_cast<std::size_t>(m)];
+    member.battery_s = instance.searchers[static_cast<std::size_t>(m)].endurance_s;
     problem.members.push_back(member);
   }
   problem.masses = {mass};

@@ -50,6 +50,7 @@ SearchMember member_of(const ScenarioAgent& agent, int searcher) {
   member.searcher = searcher;
   member.pose = agent.start;
   member.goal = agent.goal_in_map;
+  member.battery_s = agent.searcher.endurance_s;
   if (agent.latency_s > 0.0) {
     member.committed.points = {{0.0, agent.start.position()}, {agent.latency_s, agent.start.position()}};
   }

@@ -53,7 +53,7 @@ json member_json(const SearchMember& member, const Searcher& searcher) {
           {"view_max_m", searcher.view_max_m},
           {"field_of_view_rad", searcher.field_of_view_rad},
           {"detection_rate_per_s", finite_or_null(searcher.detection_rate_per_s)},
-          {"endurance_s", finite_or_null(searcher.endurance_s)},
+          {"battery_s", finite_or_null(member.battery_s)},
           {"layer", searcher.layer},
           {"committed", timed_points(member.committed)},
           {"goal", member.goal ? point(*member.goal) : json(nullptr)}};

@@ -20,7 +20,7 @@ struct Searcher {
   double field_of_view_rad = 2.0 * std::numbers::pi;  ///< Centred on its heading.
   double detection_rate_per_s = 0.5;                  ///< Of an object in view; infinite: seen is found.
   int layer = 0;  ///< The map it moves and looks in: 0 the ground, others above low walls.
-  double endurance_s = std::numeric_limits<double>::infinity();  ///< Its battery: it stops after so long.
+  double endurance_s = std::numeric_limits<double>::infinity();  ///< With a full battery.
 
   [[nodiscard]] bool sees_all_around() const { return field_of_view_rad >= 2.0 * std::numbers::pi; }
 };

@@ -13,7 +13,7 @@ namespace tandem {
 ///
 /// Nearly right: legs behind a change are taken to be shifted in time as a whole and to stay the first to show what
 /// they show. So what is accepted change by change drifts off the exact value, which rebase() makes good. Only where
-/// all find what they see; allocates nothing once warm.
+/// all find what they see and no battery is empty before the horizon; allocates nothing once warm.
 class ChangeEstimate {
  public:
   /// `ground` must outlive it.

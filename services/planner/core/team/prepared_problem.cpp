@@ -31,12 +31,12 @@ PreparedProblem::PreparedProblem(const SearchProblem& problem) : problem_(proble
   };
   for (const OthersPath& other : problem.others) add_fixed(other.searcher, other.path, other.initial_heading_rad);
   for (const SearchMember& who : problem.members) {
-    add_fixed(who.searcher, who.committed, who.pose.heading);
+    add_fixed(who.searcher, path_until(who.committed, who.battery_s), who.pose.heading);
     Member member;
     member.actions = &world.actions(who.searcher);
     member.start_s = who.committed.duration_s();
     member.heading_rad = final_heading_rad(who.committed, who.pose.heading);
-    member.end_s = std::min(problem.horizon_s, world.searcher(who.searcher).endurance_s);
+    member.end_s = std::min(problem.horizon_s, who.battery_s);
     const Eigen::Vector2d start =
         who.committed.points.empty() ? who.pose.position() : who.committed.points.back().point_in_map;
     const auto place = member.actions->add_place(start, kStartReach_m);
@@ -60,12 +60,14 @@ void PreparedProblem::add_looks(std::size_t member, const std::vector<int>& plac
   int from = who.start;
   const Sightings* stay = who.stay;
   for (const int place : places) {
+    if (time_s >= who.end_s) break;
     const Leg& leg = who.actions->leg(from, place);
     if (!leg.possible()) continue;
     const double turn_s = turning_time_s(searcher, heading_rad, leg.initial_heading_rad);
-    if (turn_s > 0.0) looks.push_back({stay, time_s, searcher.detection_rate_per_s, time_s + turn_s});
+    const double turned_s = std::min(time_s + turn_s, who.end_s);
+    if (turn_s > 0.0) looks.push_back({stay, time_s, searcher.detection_rate_per_s, turned_s});
     time_s += turn_s;
-    looks.push_back({&leg.seen, time_s, searcher.detection_rate_per_s});
+    looks.push_back({&leg.seen, time_s, searcher.detection_rate_per_s, who.end_s});
     time_s += leg.duration_s;
     heading_rad = leg.final_heading_rad;
     from = place;
@@ -97,7 +99,7 @@ TimedPath PreparedProblem::path(std::size_t member, const std::vector<int>& plac
     heading_rad = leg.final_heading_rad;
     from = place;
   }
-  return path;
+  return path_until(path, problem_.members[member].battery_s);
 }
 
 JointPlan PreparedProblem::plan(const Routes& routes) const {

@@ -35,9 +35,10 @@ class PreparedProblem {
   [[nodiscard]] const std::vector<Member>& members() const { return members_; }
   /// What is looked at whatever is planned: on committed paths and by others.
   [[nodiscard]] const std::vector<Look>& fixed_looks() const { return fixed_looks_; }
-  /// What `member` sees on its way to these places, appended to `looks`. Impossible legs are left out.
+  /// What `member` sees on its way to these places until `end_s`, appended to `looks`. Impossible legs are left out.
   void add_looks(std::size_t member, const std::vector<int>& places, std::vector<Look>& looks) const;
-  /// `committed`, then the way to these places; no more of them than are reached by `until_s`.
+  /// `committed`, then the way to these places, as far as the battery lasts; no more places than are reached by
+  /// `until_s`.
   [[nodiscard]] TimedPath path(std::size_t member, const std::vector<int>& places,
                                double until_s = std::numeric_limits<double>::infinity()) const;
   /// The plan of these routes, with its value.

@@ -22,8 +22,9 @@ auto at(std::vector<int>& places, std::size_t position) {
 Refinement::Refinement(const TeamGround& ground, RouteValue& value, const RefinementOptions& options)
     : ground_(&ground), value_(&value), options_(options), translation_(ground) {
   const SearchProblem& search = ground.problem->problem();
-  const bool all_follow = std::ranges::all_of(search.members, [](const auto& who) { return who.hypotheses.empty(); });
-  if (ground.first_sight && search.masses.size() == 1 && all_follow && search.rejected.empty()) {
+  const bool is_plain = std::ranges::all_of(
+      search.members, [&](const auto& who) { return who.hypotheses.empty() && who.battery_s >= search.horizon_s; });
+  if (ground.first_sight && search.masses.size() == 1 && is_plain && search.rejected.empty()) {
     estimate_.emplace(ground);
   }
 }

@@ -101,7 +101,7 @@ double RouteValue::first_sight_s(const Course& course, const Routes& routes) {
       const CompactLeg& leg = book.leg(place, next);
       if (!leg.possible) continue;
       const auto start_s = static_cast<float>(time_s);
-      const auto room_s = static_cast<float>(search_->horizon_s - time_s);
+      const auto room_s = static_cast<float>(who.end_s - time_s);
       std::size_t count = leg.cells.size();
       while (count > 0 && leg.enter_s[count - 1] >= room_s) --count;
       const std::int32_t* cells = leg.cells.data();
@@ -113,7 +113,7 @@ double RouteValue::first_sight_s(const Course& course, const Routes& routes) {
       }
       time_s += leg.duration_s;
       place = next;
-      if (time_s >= search_->horizon_s) break;
+      if (time_s >= who.end_s) break;
     }
   }
   return weighted_sum(ground_->mass, first_s_) / total_;
@@ -128,7 +128,7 @@ inline void RouteValue::look(std::int32_t cell, double from_s, float kept, float
   left *= kept;
 }
 
-/// All looks of a leg that ends before the horizon.
+/// All looks of a leg that ends before the battery and the horizon.
 void RouteValue::look_along(const CompactLeg& leg, float start_s, float rate_inverse_s) {
   const float* mass = ground_->mass.data();
   float* left = left_.data();
@@ -149,12 +149,12 @@ void RouteValue::look_along(const CompactLeg& leg, float start_s, float rate_inv
 double RouteValue::with_rates_s(const Course& course, const Routes& routes) {
   left_.assign(ground_->mass.size(), 1.0F);
   saved_ = 0.0;
-  const double horizon_s = search_->horizon_s;
-  const auto look_until = [&](std::int32_t cell, double from_s, double to_s, float kept, double rate_per_s) {
-    if (from_s >= horizon_s) return;
+  const auto look_until = [&](std::int32_t cell, double from_s, double to_s, float kept, double rate_per_s,
+                              double until_s) {
+    if (from_s >= until_s) return;
     const auto rate_inverse_s = static_cast<float>(std::isinf(rate_per_s) ? 0.0 : 1.0 / rate_per_s);
-    if (to_s > horizon_s) {
-      to_s = horizon_s;
+    if (to_s > until_s) {
+      to_s = until_s;
       if (!std::isinf(rate_per_s)) kept = static_cast<float>(std::exp(-rate_per_s * (to_s - from_s)));
     }
     look(cell, from_s, kept, rate_inverse_s, to_s);
@@ -164,7 +164,7 @@ double RouteValue::with_rates_s(const Course& course, const Routes& routes) {
       const double from_s = fixed.start_s + fixed.seen->enter_s[i];
       const double to_s = fixed.start_s + fixed.seen->leave_s[i];
       const double kept = std::isinf(fixed.rate_per_s) ? 0.0 : std::exp(-fixed.rate_per_s * (to_s - from_s));
-      look_until(fixed.seen->cells[i], from_s, to_s, static_cast<float>(kept), fixed.rate_per_s);
+      look_until(fixed.seen->cells[i], from_s, to_s, static_cast<float>(kept), fixed.rate_per_s, search_->horizon_s);
     }
   }
   for (std::size_t m = 0; m < routes.size(); ++m) {
@@ -175,11 +175,13 @@ double RouteValue::with_rates_s(const Course& course, const Routes& routes) {
   for (;;) {  // the leg that begins next
     std::size_t m = routes.size();
     for (std::size_t i = 0; i < routes.size(); ++i) {
-      if (cursors_[i].next >= routes[i].size() || cursors_[i].time_s >= horizon_s) continue;
+      if (cursors_[i].next >= routes[i].size()) continue;
+      if (cursors_[i].time_s >= ground_->problem->members()[i].end_s) continue;
       if (m == routes.size() || cursors_[i].time_s < cursors_[m].time_s) m = i;
     }
     if (m == routes.size()) break;
     Cursor& at = cursors_[m];
+    const double until_s = ground_->problem->members()[m].end_s;
     LegBook& book = *ground_->books[m];
     const Searcher& searcher = book.actions().searcher();
     const int next = routes[m][at.next++];
@@ -189,22 +191,24 @@ double RouteValue::with_rates_s(const Course& course, const Routes& routes) {
     const double rate_per_s = searcher.detection_rate_per_s;
     if (turn_s > 0.0) {
       const auto kept = static_cast<float>(std::isinf(rate_per_s) ? 0.0 : std::exp(-rate_per_s * turn_s));
-      for (const std::int32_t cell : *at.view) look_until(cell, at.time_s, at.time_s + turn_s, kept, rate_per_s);
+      for (const std::int32_t cell : *at.view) {
+        look_until(cell, at.time_s, at.time_s + turn_s, kept, rate_per_s, until_s);
+      }
       at.time_s += turn_s;
     }
     if (book.first_sight()) {
       for (std::size_t i = 0; i < leg.cells.size(); ++i) {
         const double seen_s = at.time_s + leg.enter_s[i];
-        if (seen_s >= horizon_s) break;
+        if (seen_s >= until_s) break;
         look(leg.cells[i], seen_s, 0.0F, 0.0F, seen_s);
       }
-    } else if (at.time_s + leg.duration_s <= horizon_s) {
+    } else if (at.time_s + leg.duration_s <= until_s) {
       look_along(leg, static_cast<float>(at.time_s), static_cast<float>(1.0 / rate_per_s));
     } else {
       for (std::size_t i = 0; i < leg.cells.size(); ++i) {
         const double from_s = at.time_s + leg.enter_s[i];
-        if (from_s >= horizon_s) break;
-        look_until(leg.cells[i], from_s, from_s + leg.stay_s[i], leg.kept[i], rate_per_s);
+        if (from_s >= until_s) break;
+        look_until(leg.cells[i], from_s, from_s + leg.stay_s[i], leg.kept[i], rate_per_s, until_s);
       }
     }
     at.time_s += leg.duration_s;

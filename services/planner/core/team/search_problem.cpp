@@ -75,6 +75,7 @@ TimedPath path_until(const TimedPath& path, double end_s) {
 
 JointPlan evaluated(const SearchProblem& problem, std::vector<TimedPath> paths) {
   SearchObjective objective(problem.masses, problem.horizon_s, problem.tail_s);
+  for (std::size_t m = 0; m < paths.size(); ++m) paths[m] = path_until(paths[m], problem.members[m].battery_s);
   PlanLooks plan_looks(problem, paths);
   JointPlan plan;
   // Each person who may not follow is taken by themselves: that two go astray at once is left out.

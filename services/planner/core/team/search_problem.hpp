@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct PathHypothesis {
 struct SearchMember {
   int searcher = 0;  ///< of the world
   Pose2 pose;        ///< now
+  double battery_s =
+      std::numeric_limits<double>::infinity();  ///< So long it can go on; then it stops and looks no more.
   /// Walked first whatever is planned, from `pose`: an action under way, or the old plan while a person reads the new
   /// one (digest F8). Empty: the plan begins now.
   TimedPath committed;
@@ -47,7 +50,8 @@ struct SearchProblem {
 
 /// A plan for the team.
 struct JointPlan {
-  std::vector<TimedPath> paths;  ///< per member, from `pose`; may go on behind a fixed goal
+  std::vector<TimedPath>
+      paths;  ///< per member, from `pose`, as far as its battery lasts; may go on behind a fixed goal
   /// Per member, when it is at its fixed goal; infinite without one. What it is told ends there (digest H1).
   std::vector<double> goal_reached_s;
   Forecast forecast;
@@ -69,7 +73,8 @@ inline constexpr double kRejectedPenalty_s = 1e4;
 /// The path up to `end_s`.
 [[nodiscard]] TimedPath path_until(const TimedPath& path, double end_s);
 
-/// The plan in which the members walk `paths`, and its value. The only way a plan gets one. A member reaches its goal
+/// The plan in which the members walk `paths` as far as their batteries last, and its value. The only way a plan gets
+/// one. A member reaches its goal
 /// at the first corner of its path within `kGoalReach_m` of it.
 [[nodiscard]] JointPlan evaluated(const SearchProblem& problem, std::vector<TimedPath> paths);
 

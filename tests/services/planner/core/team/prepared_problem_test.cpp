@@ -41,10 +41,20 @@ TEST(PreparedProblem, WhatIsCommittedIsWalkedFirst) {
 }
 
 TEST(PreparedProblem, ABatteryEndsAPlan) {
-  Searcher drone = test_person();
-  drone.endurance_s = 12.0;
-  SearchCase search(empty_room(16, 10), {3, 3}, {drone});
-  EXPECT_DOUBLE_EQ(PreparedProblem(search.problem).members()[0].end_s, 12.0);
+  SearchCase search(empty_room(16, 10), {3, 3}, {test_person()});
+  search.problem.members[0].battery_s = 4.0;
+  const PreparedProblem prepared(search.problem);
+  const Routes routes{{1, 2, 3}};
+  const JointPlan plan = prepared.plan(routes);
+  std::vector<Look> looks;
+  prepared.add_looks(0, routes[0], looks);
+
+  EXPECT_DOUBLE_EQ(prepared.members()[0].end_s, 4.0);
+  EXPECT_DOUBLE_EQ(plan.paths[0].duration_s(), 4.0);
+  SearchObjective objective(search.problem.masses, search.problem.horizon_s, search.problem.tail_s);
+  EXPECT_NEAR(objective.forecast(looks).expected_time_s, plan.value_s, 1e-3);
+  search.problem.members[0].battery_s = 1e9;
+  EXPECT_GT(PreparedProblem(search.problem).plan(routes).paths[0].duration_s(), 5.0);
 }
 
 TEST(PreparedProblem, AGoalThatCannotBeReachedIsNone) {

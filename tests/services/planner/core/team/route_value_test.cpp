@@ -44,6 +44,32 @@ TEST(RouteValue, EqualsTheObjectiveWhereSeenIsFound) {
   }
 }
 
+TEST(RouteValue, CountsNothingSeenOnAnEmptyBattery) {
+  for (const double rate_per_s : {kFirstSight, 0.3}) {
+    Searcher drone = sharp(test_person(), 0.75);
+    drone.detection_rate_per_s = rate_per_s;
+    std::vector<Searcher> team{drone};
+    if (std::isinf(rate_per_s)) team.push_back(sharp(test_person(), 0.5));  // two at a rate: only nearly exact
+    SearchCase search(empty_room(16, 10), {3, 3}, team, 1.6);
+    Rng rng{3};
+    for (int i = 0; i < 20; ++i) {
+      search.problem.members[0].battery_s = 100.0;
+      const PreparedProblem full(search.problem);
+      const TeamGround full_ground = team_ground(full);
+      const Routes routes = random_routes(full_ground, rng);
+      const double full_s = RouteValue(full_ground).value_s(routes);
+
+      search.problem.members[0].battery_s = rng.uniform(2.0, 10.0);
+      const PreparedProblem prepared(search.problem);
+      const TeamGround ground = team_ground(prepared);
+      const double value_s = RouteValue(ground).value_s(routes);
+      EXPECT_GT(value_s, full_s + 0.1) << rate_per_s << " " << i;
+      EXPECT_NEAR(value_s, prepared.plan(routes).value_s, 1e-2) << rate_per_s << " " << i;
+      EXPECT_NEAR(value_s, RouteValue(ground).exact_s(routes), 1e-2) << rate_per_s << " " << i;
+    }
+  }
+}
+
 TEST(RouteValue, EqualsTheObjectiveOfOneWhoDetectsAtARate) {
   SearchCase search(empty_room(16, 10), {3, 3}, {test_robot()});
   const PreparedProblem prepared(search.problem);
