@@ -71,6 +71,19 @@ void ChangeEstimate::sort_out(std::size_t cell) {
   visits_[static_cast<std::size_t>(first.visit)].first_mass += ground_->mass[cell];
 }
 
+void ChangeEstimate::sort_in(std::size_t cell, const Seen& seen) {
+  Sight& sight = sights_[cell];
+  const float seen_s = time_s(seen);
+  if (seen_s < time_s(sight.first)) {
+    visits_[static_cast<std::size_t>(sight.first.visit)].first_mass -= ground_->mass[cell];
+    visits_[static_cast<std::size_t>(seen.visit)].first_mass += ground_->mass[cell];
+    sight.second = sight.first;
+    sight.first = seen;
+  } else if (seen_s < time_s(sight.second)) {
+    sight.second = seen;
+  }
+}
+
 void ChangeEstimate::sum_up() {
   for (const auto& legs : legs_) {
     double later = 0.0;
@@ -218,17 +231,18 @@ double ChangeEstimate::later_by(Change& change, const std::vector<int>& trial) {
 
 void ChangeEstimate::replace_visits(const Change& change, const std::vector<int>& trial) {
   std::vector<std::int32_t>& legs = legs_[change.member];
-  const auto touch = [&](std::size_t cell) {
-    if (touched_in_[cell] == pass_) return;
-    touched_in_[cell] = pass_;
-    touched_.push_back(cell);
-    visits_[static_cast<std::size_t>(sights_[cell].first.visit)].first_mass -= ground_->mass[cell];
-  };
   for (std::size_t k = change.first; k < change.last; ++k) {
     for (const std::int32_t c : visits_[static_cast<std::size_t>(legs[k])].leg->cells) {
       const auto cell = static_cast<std::size_t>(c);
-      touch(cell);
-      std::erase_if(seen_[cell], [&](const Seen& seen) { return seen.visit == legs[k]; });
+      const auto seen = std::ranges::find(seen_[cell], legs[k], &Seen::visit);
+      *seen = seen_[cell].back();
+      seen_[cell].pop_back();
+      const Sight& sight = sights_[cell];
+      const bool counted = sight.first.visit == legs[k] || sight.second.visit == legs[k];
+      if (!counted || touched_in_[cell] == pass_) continue;
+      touched_in_[cell] = pass_;
+      touched_.push_back(cell);
+      visits_[static_cast<std::size_t>(sight.first.visit)].first_mass -= ground_->mass[cell];
     }
     free_.push_back(legs[k]);
   }
@@ -239,8 +253,8 @@ void ChangeEstimate::replace_visits(const Change& change, const std::vector<int>
   int place = change.first > 0 ? trial[change.first - 1] : ground_->problem->members()[change.member].start;
   for (std::size_t k = change.from; k < change.to; ++k) {
     const CompactLeg& leg = ground_->books[change.member]->leg(place, trial[k]);
-    for (const std::int32_t cell : leg.cells) touch(static_cast<std::size_t>(cell));
-    legs.insert(legs.begin() + into++, add_visit(leg, now_s));
+    new_visits_.push_back(add_visit(leg, now_s));
+    legs.insert(legs.begin() + into++, new_visits_.back());
     now_s += leg.duration_s;
     place = trial[k];
   }
@@ -252,11 +266,19 @@ void ChangeEstimate::replace_visits(const Change& change, const std::vector<int>
 void ChangeEstimate::accept(const Routes& trial) {
   ++pass_;
   touched_.clear();
+  new_visits_.clear();
   for (const Change& change : changes_) {
     replace_visits(change, trial[change.member]);
     base_[change.member] = trial[change.member];
   }
   for (const std::size_t cell : touched_) sort_out(cell);
+  for (const std::int32_t visit : new_visits_) {
+    const CompactLeg& leg = *visits_[static_cast<std::size_t>(visit)].leg;
+    for (std::size_t i = 0; i < leg.cells.size(); ++i) {
+      const auto cell = static_cast<std::size_t>(leg.cells[i]);
+      if (touched_in_[cell] != pass_) sort_in(cell, {visit, leg.enter_s[i]});
+    }
+  }
   sum_up();
 }
 

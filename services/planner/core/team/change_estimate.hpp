@@ -60,7 +60,10 @@ class ChangeEstimate {
     return at_s < horizon_s_ ? at_s : end_s_;
   }
   [[nodiscard]] std::int32_t add_visit(const CompactLeg& leg, double start_s);
+  /// Finds who is first and second to show a cell.
   void sort_out(std::size_t cell);
+  /// The same, if only this one came.
+  void sort_in(std::size_t cell, const Seen& seen);
   void sum_up();
   [[nodiscard]] bool find_change(std::size_t member, const std::vector<int>& trial);
   [[nodiscard]] double later_by(Change& change, const std::vector<int>& trial);
@@ -83,7 +86,8 @@ class ChangeEstimate {
   std::vector<float> trial_first_s_;       ///< per cell, of this trial
   std::vector<std::uint32_t> touched_in_;  ///< per cell, the last pass that touched it
   std::uint32_t pass_ = 0;
-  std::vector<std::size_t> touched_;  ///< cells
+  std::vector<std::size_t> touched_;      ///< cells of which who was first or second is gone
+  std::vector<std::int32_t> new_visits_;  ///< of the change that is being accepted
 };
 
 }  // namespace tandem

@@ -27,6 +27,21 @@ bool LegBook::prepare_next() {
   return true;
 }
 
+void LegBook::add_first_sights(const Sightings& seen, bool came_there, CompactLeg& leg) {
+  ++pass_;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const auto cell = static_cast<std::size_t>(seen.cells[i]);
+    if (seen_in_.size() <= cell) seen_in_.resize(cell + 1, 0);
+    if (seen_in_[cell] == pass_) continue;
+    seen_in_[cell] = pass_;
+    if (came_there && seen.enter_s[i] <= 0.0) continue;
+    leg.cells.push_back(seen.cells[i]);
+    leg.enter_s.push_back(static_cast<float>(seen.enter_s[i]));
+  }
+  leg.cells.shrink_to_fit();
+  leg.enter_s.shrink_to_fit();
+}
+
 const CompactLeg& LegBook::add(int from, int to) {
   const bool stays = from < actions_.lookouts() && to < actions_.lookouts();
   CompactLeg& compact = (stays ? kept_ : added_).emplace_back();
@@ -38,12 +53,12 @@ const CompactLeg& LegBook::add(int from, int to) {
   compact.duration_s = static_cast<float>(leg.duration_s);
   compact.initial_heading_rad = static_cast<float>(leg.initial_heading_rad);
   compact.final_heading_rad = static_cast<float>(leg.final_heading_rad);
-  std::size_t begin = 0;
-  const bool came_there = first_sight_ && from < actions_.lookouts();
-  while (came_there && begin < leg.seen.size() && leg.seen.enter_s[begin] <= 0.0) ++begin;
-  compact.cells.assign(leg.seen.cells.begin() + static_cast<std::ptrdiff_t>(begin), leg.seen.cells.end());
-  compact.enter_s.assign(leg.seen.enter_s.begin() + static_cast<std::ptrdiff_t>(begin), leg.seen.enter_s.end());
-  if (first_sight_) return compact;
+  if (first_sight_) {
+    add_first_sights(leg.seen, from < actions_.lookouts(), compact);
+    return compact;
+  }
+  compact.cells = leg.seen.cells;
+  compact.enter_s.assign(leg.seen.enter_s.begin(), leg.seen.enter_s.end());
   compact.end_view = leg.stay.cells;
   for (std::size_t i = 0; i < leg.seen.size(); ++i) {
     const double stay_s = leg.seen.leave_s[i] - leg.seen.enter_s[i];

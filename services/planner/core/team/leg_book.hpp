@@ -14,7 +14,7 @@ struct CompactLeg {
   float initial_heading_rad = 0.0F;
   float final_heading_rad = 0.0F;
   bool possible = false;
-  std::vector<std::int32_t> cells;     ///< that come into view
+  std::vector<std::int32_t> cells;     ///< that come into view, again if they come back
   std::vector<float> enter_s;          ///< when, from the beginning of the leg, ascending
   std::vector<float> stay_s;           ///< for how long; empty if seen is found
   std::vector<float> kept;             ///< the share of a cell's mass that is left then; empty if seen is found
@@ -22,7 +22,8 @@ struct CompactLeg {
 };
 
 /// The legs of one capability between places that are near to each other, of which every plan consists. Of a searcher
-/// to whom seen is found, what it has in view when a leg from a lookout begins is left out: it saw that when it came.
+/// to whom seen is found a leg has each cell once, when it first comes into view; what is in view when a leg from a
+/// lookout begins is left out: it was seen on arrival.
 class LegBook {
  public:
   /// `actions` must outlive it and must not forget its lookouts.
@@ -50,6 +51,8 @@ class LegBook {
     const CompactLeg* leg;
   };
   [[nodiscard]] const CompactLeg& add(int from, int to);
+  /// Each cell when it first comes into view; with `came_there` without those in view from the beginning.
+  void add_first_sights(const Sightings& seen, bool came_there, CompactLeg& leg);
 
   ActionSet& actions_;
   bool first_sight_ = false;
@@ -58,6 +61,8 @@ class LegBook {
   std::vector<std::vector<Entry>> rows_;  ///< per place: the few near to it
   std::deque<CompactLeg> kept_;           ///< between lookouts
   std::deque<CompactLeg> added_;          ///< from or to added places
+  std::vector<std::uint32_t> seen_in_;    ///< per cell, the last leg made that has it
+  std::uint32_t pass_ = 0;
 };
 
 }  // namespace tandem

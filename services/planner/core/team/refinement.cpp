@@ -122,9 +122,12 @@ bool Refinement::is_longer() const {
 bool Refinement::is_joined(std::size_t member, std::size_t position) const {
   const std::vector<int>& route = trial_[member];
   const std::vector<int>& before = current_[member];
-  const bool is_as_before = position < before.size() && route[position] == before[position] &&
-                            (position == 0 || route[position - 1] == before[position - 1]);
-  if (is_as_before) return true;
+  const auto is_leg_of_before = [&](std::size_t at) {
+    return at < before.size() && route[position] == before[at] &&
+           (position == 0 ? at == 0 : at > 0 && route[position - 1] == before[at - 1]);
+  };
+  // Behind a change of length, the legs stand as far from the end as before.
+  if (is_leg_of_before(position) || is_leg_of_before(position + before.size() - route.size())) return true;
   const int from = position == 0 ? ground_->problem->members()[member].start : route[position - 1];
   return ground_->books[member]->actions().is_near(from, route[position]);
 }
