@@ -1,16 +1,25 @@
 #include "services/planner/core/planners/peers.hpp"
 
+#include <utility>
+
 #include "services/planner/core/baselines/dec_mcts_planner.hpp"
 #include "services/planner/core/baselines/greedy_planner.hpp"
 #include "services/planner/core/baselines/lawnmower_planner.hpp"
 #include "services/planner/core/baselines/nearest_unseen_planner.hpp"
 #include "services/planner/core/baselines/sequential_planner.hpp"
 #include "services/planner/core/paper/paper_planner.hpp"
+#include "services/planner/core/planners/heeding_rejections.hpp"
 
 namespace tandem {
 namespace {
 
 constexpr double kTunedTravelCost_per_s = 0.002;  ///< see bench/reports/planning_tuning
+
+void read_search(RouteSearchOptions& search, PlannerOptions& given) {
+  given.read("exponent", search.exponent);
+  given.read("spread", search.spread);
+  given.read("options", search.most_options);
+}
 
 MakePlanner paper(Reading reading, PaperObjective objective, double travel_cost_per_s = 0.0) {
   return [=](PlannerOptions& given) {
@@ -18,16 +27,16 @@ MakePlanner paper(Reading reading, PaperObjective objective, double travel_cost_
     options.pruning.travel_cost_per_s = travel_cost_per_s;
     options.update.reading = reading;
     options.objective = objective;
-    options.trees.nodes = given.whole_number("nodes", options.trees.nodes);
-    options.trees.goal_trees = given.whole_number("goal_trees", options.trees.goal_trees);
-    options.trees.goal_nodes = given.whole_number("goal_nodes", options.trees.goal_nodes);
-    options.trees.step_m = given.number("step_m", options.trees.step_m);
-    options.pruning.eligible = given.whole_number("eligible", options.pruning.eligible);
-    options.pruning.travel_cost_per_s = given.number("travel_cost", options.pruning.travel_cost_per_s);
-    options.update.reduction = given.number("w", options.update.reduction);
-    options.update.discount = given.number("gamma", options.update.discount);
-    options.rest_sweeps = given.number("rest_sweeps", options.rest_sweeps);
-    options.replans_under_way = given.whole_number("replans_under_way", options.replans_under_way ? 1 : 0) != 0;
+    given.read("nodes", options.trees.nodes);
+    given.read("goal_trees", options.trees.goal_trees);
+    given.read("goal_nodes", options.trees.goal_nodes);
+    given.read("step_m", options.trees.step_m);
+    given.read("eligible", options.pruning.eligible);
+    given.read("travel_cost", options.pruning.travel_cost_per_s);
+    given.read("w", options.update.reduction);
+    given.read("gamma", options.update.discount);
+    given.read("rest_sweeps", options.rest_sweeps);
+    given.read("replans_under_way", options.replans_under_way);
     return std::make_unique<PaperPlanner>(options);
   };
 }
@@ -35,8 +44,9 @@ MakePlanner paper(Reading reading, PaperObjective objective, double travel_cost_
 MakePlanner greedy(double exponent, Mates mates) {
   return [=](PlannerOptions& given) {
     GreedyOptions options;
-    options.exponent = given.number("exponent", exponent);
-    options.most_options = given.whole_number("options", options.most_options);
+    options.exponent = exponent;
+    given.read("exponent", options.exponent);
+    given.read("options", options.most_options);
     options.mates = mates;
     return std::make_unique<GreedyPlanner>(options);
   };
@@ -46,36 +56,32 @@ MakePlanner sequential(bool only_fastest) {
   return [=](PlannerOptions& given) {
     SequentialOptions options;
     options.only_fastest = only_fastest;
-    options.search.exponent = given.number("exponent", options.search.exponent);
-    options.search.spread = given.number("spread", options.search.spread);
-    options.search.most_options = given.whole_number("options", options.search.most_options);
-    options.tries_at_first = given.whole_number("tries", options.tries_at_first);
+    read_search(options.search, given);
+    given.read("tries", options.tries_at_first);
     return std::make_unique<SequentialPlanner>(options);
   };
 }
 
 std::unique_ptr<Planner> dec_mcts(PlannerOptions& given) {
   DecMctsOptions options;
-  options.tree.exploration = given.number("exploration", options.tree.exploration);
-  options.tree.discount = given.number("discount", options.tree.discount);
-  options.rollout.exponent = given.number("exponent", options.rollout.exponent);
-  options.rollout.spread = given.number("spread", options.rollout.spread);
-  options.rollout.most_options = given.whole_number("options", options.rollout.most_options);
-  options.successors = given.whole_number("successors", options.successors);
-  options.growths = given.whole_number("growths", options.growths);
-  options.intentions = given.whole_number("intentions", options.intentions);
-  options.messages_per_choice = given.whole_number("messages_per_choice", options.messages_per_choice);
-  options.samples = given.whole_number("samples", options.samples);
-  options.step = given.number("step", options.step);
-  options.temperature = given.number("temperature", options.temperature);
-  options.cooling = given.number("cooling", options.cooling);
+  given.read("exploration", options.tree.exploration);
+  given.read("discount", options.tree.discount);
+  read_search(options.rollout, given);
+  given.read("successors", options.successors);
+  given.read("growths", options.growths);
+  given.read("intentions", options.intentions);
+  given.read("messages_per_choice", options.messages_per_choice);
+  given.read("samples", options.samples);
+  given.read("step", options.step);
+  given.read("temperature", options.temperature);
+  given.read("cooling", options.cooling);
   return std::make_unique<DecMctsPlanner>(options);
 }
 
 }  // namespace
 
 std::map<std::string, MakePlanner> peers() {
-  return {
+  std::map<std::string, MakePlanner> makers{
       {"paper", paper(Reading::Sound, PaperObjective::DetectedMass)},
       {"paper_printed", paper(Reading::Printed, PaperObjective::DetectedMass)},
       {"paper_travel", paper(Reading::Sound, PaperObjective::DetectedMass, kTunedTravelCost_per_s)},
@@ -90,6 +96,10 @@ std::map<std::string, MakePlanner> peers() {
       {"single", sequential(true)},
       {"dec_mcts", dec_mcts},
   };
+  for (auto& [name, make] : makers) {
+    make = [make = std::move(make)](PlannerOptions& given) { return std::make_unique<HeedingRejections>(make(given)); };
+  }
+  return makers;
 }
 
 }  // namespace tandem

@@ -26,20 +26,29 @@ PlannerOptions::PlannerOptions(std::string_view description) {
   }
 }
 
-double PlannerOptions::number(const std::string& key, double fallback) {
+void PlannerOptions::read(const std::string& key, double& field) {
   const auto given = given_.find(key);
-  return asked_[key] = given == given_.end() ? fallback : given->second;
+  if (given != given_.end()) field = given->second;
+  asked_.insert(key);
 }
 
-int PlannerOptions::whole_number(const std::string& key, int fallback) {
-  return static_cast<int>(std::lround(number(key, fallback)));
+void PlannerOptions::read(const std::string& key, int& field) {
+  double number = field;
+  read(key, number);
+  field = static_cast<int>(std::lround(number));
+}
+
+void PlannerOptions::read(const std::string& key, bool& field) {
+  int number = field ? 1 : 0;
+  read(key, number);
+  field = number != 0;
 }
 
 void PlannerOptions::refuse_unknown() const {
   for (const auto& [key, value] : given_) {
     if (asked_.contains(key)) continue;
     std::string known;
-    for (const auto& [name, used] : asked_) known += (known.empty() ? "" : ", ") + name;
+    for (const auto& name : asked_) known += (known.empty() ? "" : ", ") + name;
     throw ConfigError("planner '" + name_ + "' has no option '" + key + "'; it has: " + known);
   }
 }

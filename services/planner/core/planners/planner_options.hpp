@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -13,16 +14,18 @@ class PlannerOptions {
   explicit PlannerOptions(std::string_view description);
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  /// The option `key` if it is there, else `fallback`.
-  [[nodiscard]] double number(const std::string& key, double fallback);
-  [[nodiscard]] int whole_number(const std::string& key, int fallback);
+  /// Takes the option `key` over into `field`, which keeps its value, the default, where it is not given. A whole
+  /// number is rounded; a truth is 0 or 1.
+  void read(const std::string& key, double& field);
+  void read(const std::string& key, int& field);
+  void read(const std::string& key, bool& field);
   /// To be called last: throws ConfigError on an option that was not asked for, and names those that were.
   void refuse_unknown() const;
 
  private:
   std::string name_;
   std::map<std::string, double> given_;
-  std::map<std::string, double> asked_;  ///< with what was given, or the default
+  std::set<std::string> asked_;
 };
 
 }  // namespace tandem

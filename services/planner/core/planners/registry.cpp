@@ -11,19 +11,19 @@ namespace {
 
 std::unique_ptr<Planner> make_tandem(PlannerOptions& given) {
   TandemOptions options;
-  options.tree.eligible = given.whole_number("eligible", options.tree.eligible);
-  options.tree.exploration = given.number("exploration", options.tree.exploration);
-  options.tree.rollout_spread = given.number("rollout_spread", options.tree.rollout_spread);
-  options.walk.exponent = given.number("exponent", options.walk.exponent);
-  options.refinement.warmth = given.number("warmth", options.refinement.warmth);
-  options.refinement.coldness = given.number("coldness", options.refinement.coldness);
-  options.refinement.cycle = given.whole_number("cycle", options.refinement.cycle);
-  options.refinement.neighbours = given.whole_number("neighbours", options.refinement.neighbours);
-  options.moves = given.whole_number("moves", options.moves);
-  options.refinement.far_legs = given.number("far_legs", options.refinement.far_legs);
-  options.tree_every = given.whole_number("tree_every", options.tree_every);
-  options.seeds = given.whole_number("seeds", options.seeds ? 1 : 0) != 0;
-  options.warm_start = given.whole_number("warm_start", options.warm_start ? 1 : 0) != 0;
+  given.read("eligible", options.tree.eligible);
+  given.read("exploration", options.tree.exploration);
+  given.read("rollout_spread", options.tree.rollout_spread);
+  given.read("exponent", options.walk.exponent);
+  given.read("warmth", options.refinement.warmth);
+  given.read("coldness", options.refinement.coldness);
+  given.read("cycle", options.refinement.cycle);
+  given.read("neighbours", options.refinement.neighbours);
+  given.read("moves", options.moves);
+  given.read("far_legs", options.refinement.far_legs);
+  given.read("tree_every", options.tree_every);
+  given.read("seeds", options.seeds);
+  given.read("warm_start", options.warm_start);
   return std::make_unique<TandemPlanner>(options);
 }
 

@@ -8,17 +8,30 @@ namespace tandem {
 namespace {
 
 TEST(PlannerOptions, GivesWhatIsThereAndTheDefaultElse) {
-  PlannerOptions options("paper:nodes=300,weight=0.5");
+  PlannerOptions options("paper:nodes=300,weight=0.5,printed=1");
+  int nodes = 1000;
+  double weight = 0.1;
+  double discount = 0.8;
+  bool printed = false;
+  bool tuned = true;
+  options.read("nodes", nodes);
+  options.read("weight", weight);
+  options.read("discount", discount);
+  options.read("printed", printed);
+  options.read("tuned", tuned);
   EXPECT_EQ(options.name(), "paper");
-  EXPECT_EQ(options.whole_number("nodes", 1000), 300);
-  EXPECT_DOUBLE_EQ(options.number("weight", 0.1), 0.5);
-  EXPECT_DOUBLE_EQ(options.number("discount", 0.8), 0.8);
+  EXPECT_EQ(nodes, 300);
+  EXPECT_DOUBLE_EQ(weight, 0.5);
+  EXPECT_DOUBLE_EQ(discount, 0.8);
+  EXPECT_TRUE(printed);
+  EXPECT_TRUE(tuned);
   EXPECT_NO_THROW(options.refuse_unknown());
 }
 
 TEST(PlannerOptions, RefusesWhatNobodyAskedFor) {
   PlannerOptions options("paper:nodes=300,wieght=0.5");
-  (void)options.number("nodes", 1000);
+  int nodes = 1000;
+  options.read("nodes", nodes);
   EXPECT_THROW(options.refuse_unknown(), ConfigError);
 }
 
