@@ -15,8 +15,8 @@ struct RefinementOptions {
   double warmth = 0.012;     ///< at first, how much worse a move may be to be taken with 1/e, as a share of the value
   double coldness = 0.0001;  ///< the same at the end of a cycle
   int cycle = 20000;         ///< moves from warm to cold at first; then again from the best with twice as many
-  int neighbours = 8;        ///< lookouts near a place that moves look at
-  double far_legs = 0.5;     ///< how often a move may lead to lookouts that are not near, over those in between
+  int neighbours = 12;       ///< lookouts near a place that moves look at
+  double far_legs = 0.25;    ///< how often a move may lead to lookouts that are not near, over those in between
 };
 
 /// Makes routes better by small moves: insert, remove, relocate, replace, swap, reverse, move a piece, swap tails;

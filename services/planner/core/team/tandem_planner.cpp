@@ -15,11 +15,34 @@ constexpr int kSeedChoices = 1;
 constexpr int kTreeOften = 16;          ///< rollouts; with so few lookouts a tree is searched through
 constexpr std::size_t kMowable = 5000;  ///< search cells; mowing a larger area takes longer than a first plan may
 constexpr double kSamePlace_m = 1e-3;
+constexpr double kSameTime_s = 1e-2;
+constexpr std::size_t kMostPassed = 4;  ///< lookouts that a leg may pass
 
 using PlaceKey = std::pair<long, long>;
 
 PlaceKey key_of(const Eigen::Vector2d& point_in_map) {
   return {std::lround(point_in_map.x() / kSamePlace_m), std::lround(point_in_map.y() / kSamePlace_m)};
+}
+
+/// A place on the way of a plan.
+struct Stop {
+  int place;
+  double arrival_s;
+  double heading_rad;  ///< on arrival
+};
+
+/// A way from lookout to lookout may have a corner at another one, from which its own leg onward takes another way.
+/// Drops the last stops if the plan's time of arrival at `next` is that of a leg from one before them.
+void drop_passed(LegBook& book, int next, double arrival_s, std::vector<Stop>& stops) {
+  for (std::size_t count = stops.size(); count > 0 && count + kMostPassed >= stops.size(); --count) {
+    const Stop& from = stops[count - 1];
+    if (from.place < 0 || !book.actions().is_near(from.place, next)) continue;
+    const CompactLeg& leg = book.leg(from.place, next);
+    const double turn_s = turning_time_s(book.actions().searcher(), from.heading_rad, leg.initial_heading_rad);
+    if (!leg.possible || std::abs(from.arrival_s + turn_s + leg.duration_s - arrival_s) > kSameTime_s) continue;
+    stops.erase(stops.begin() + static_cast<std::ptrdiff_t>(count), stops.end());
+    return;
+  }
 }
 
 }  // namespace
@@ -95,14 +118,20 @@ Routes TandemPlanner::running_plan() const {
     const ActionSet& actions = ground_.books[m]->actions();
     std::map<PlaceKey, int> lookouts;
     for (int place = 0; place < actions.lookouts(); ++place) lookouts.emplace(key_of(actions.place(place)), place);
-    std::vector<int>& route = routes.emplace_back();
-    for (const TimedPoint& point : problem_->problem().current[m].points) {
-      if (point.time_s < problem_->members()[m].start_s) continue;
-      const auto lookout = lookouts.find(key_of(point.point_in_map));
-      if (lookout == lookouts.end()) continue;
-      if (route.empty() || route.back() != lookout->second) route.push_back(lookout->second);
+    const PreparedProblem::Member& who = problem_->members()[m];
+    std::vector<Stop> stops{{who.start, who.start_s, who.heading_rad}};
+    const std::vector<TimedPoint>& points = problem_->problem().current[m].points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const auto lookout = lookouts.find(key_of(points[i].point_in_map));
+      if (points[i].time_s < who.start_s || lookout == lookouts.end() || lookout->second == stops.back().place)
+        continue;
+      drop_passed(*ground_.books[m], lookout->second, points[i].time_s, stops);
+      const double heading_rad = heading_towards(points[i - 1].point_in_map, points[i].point_in_map);
+      stops.push_back({lookout->second, points[i].time_s, heading_rad});
     }
-    if (const auto& goal = problem_->members()[m].goal) route.insert(route.begin(), *goal);
+    std::vector<int>& route = routes.emplace_back();
+    for (std::size_t i = 1; i < stops.size(); ++i) route.push_back(stops[i].place);
+    if (who.goal) route.insert(route.begin(), *who.goal);
   }
   return routes;
 }

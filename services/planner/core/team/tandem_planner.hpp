@@ -37,7 +37,7 @@ class TandemPlanner final : public Planner {
  private:
   void take_seed(Routes routes);
   [[nodiscard]] Routes greedy(double exponent, bool one_after_the_other) const;
-  /// The lookouts at which the plan in execution has corners.
+  /// The lookouts of the plan in execution.
   [[nodiscard]] Routes running_plan() const;
 
   TandemOptions options_;
