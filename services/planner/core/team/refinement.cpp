@@ -9,9 +9,11 @@ namespace {
 constexpr std::size_t kLongestPiece = 5;
 constexpr std::size_t kLongestReversal = 12;
 constexpr double kSame_s = 1e-9;
-constexpr double kHeating = 3.0;  ///< after a cycle that found nothing better, the next begins so much warmer
-constexpr double kHottest = 4.0;  ///< times the warmth at first
-constexpr int kMostDrift = 200;   ///< changes accepted by estimate until the value is made exact again
+constexpr double kHeating = 3.0;     ///< after a cycle that found nothing better, the next begins so much warmer
+constexpr double kHottest = 4.0;     ///< times the warmth at first
+constexpr int kMovesOfLookout = 75;  ///< in the first cycle, for each member
+constexpr int kMostFruitless = 2;    ///< cycles
+constexpr int kMostDrift = 200;      ///< changes accepted by estimate until the value is made exact again
 
 auto at(std::vector<int>& places, std::size_t position) {
   return places.begin() + static_cast<std::ptrdiff_t>(position);
@@ -41,8 +43,11 @@ void Refinement::restart(const Routes& routes, double value_s) {
   best_s_ = value_s;
   take(best_, best_s_);
   in_cycle_ = 0;
-  cycle_ = options_.cycle;
+  int lookouts = 0;
+  for (LegBook* book : ground_->books) lookouts += book->actions().lookouts();
+  cycle_ = std::min(options_.cycle, kMovesOfLookout * std::max(1, lookouts));
   heat_ = 1.0;
+  fruitless_ = 0;
   best_before_s_ = best_s_;
   fixed_.assign(routes.size(), 0);
   for (std::size_t m = 0; m < routes.size(); ++m) {
@@ -63,7 +68,9 @@ bool Refinement::improve(int moves, Rng& rng) {
   const double before_s = best_s_;
   for (int i = 0; i < moves; ++i, ++in_cycle_) {
     if (in_cycle_ == cycle_) {
-      heat_ = best_s_ < best_before_s_ - 1e-9 ? 1.0 : std::min(kHottest, kHeating * heat_);
+      const bool is_fruitful = best_s_ < best_before_s_ - 1e-9;
+      fruitless_ = is_fruitful ? 0 : fruitless_ + 1;
+      heat_ = is_fruitful ? 1.0 : std::min(kHottest, kHeating * heat_);
       best_before_s_ = best_s_;
       in_cycle_ = 0;
       cycle_ *= 2;
@@ -84,6 +91,10 @@ bool Refinement::improve(int moves, Rng& rng) {
     keep_best();
   }
   return best_s_ < before_s;
+}
+
+bool Refinement::is_stuck() const {
+  return fruitless_ >= kMostFruitless;
 }
 
 void Refinement::judge(double temperature_s, double u) {

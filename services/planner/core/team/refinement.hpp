@@ -14,7 +14,8 @@ namespace tandem {
 struct RefinementOptions {
   double warmth = 0.012;     ///< at first, how much worse a move may be to be taken with 1/e, as a share of the value
   double coldness = 0.0001;  ///< the same at the end of a cycle
-  int cycle = 20000;         ///< moves from warm to cold at first; then again from the best with twice as many
+  int cycle = 20000;         ///< moves from warm to cold at first, fewer where there is little to change; then again
+                             ///< from the best with twice as many
   int neighbours = 12;       ///< lookouts near a place that moves look at
   double far_legs = 0.25;    ///< how often a move may lead to lookouts that are not near, over those in between
 };
@@ -36,6 +37,8 @@ class Refinement {
 
   [[nodiscard]] const Routes& best() const { return best_; }
   [[nodiscard]] double best_s() const { return best_s_; }
+  /// Whether the last cycles found nothing better: time to restart from something else.
+  [[nodiscard]] bool is_stuck() const;
   /// How many changes of routes were judged so far.
   [[nodiscard]] std::int64_t judged() const { return judged_; }
 
@@ -86,6 +89,7 @@ class Refinement {
   double best_before_s_ = 0.0;  ///< when this cycle began
   std::int64_t cycle_ = 0;      ///< moves of this one
   std::int64_t in_cycle_ = 0;   ///< of them made
+  int fruitless_ = 0;           ///< cycles, the last ones
   std::int64_t judged_ = 0;
 };
 

@@ -12,7 +12,8 @@ namespace tandem {
 namespace {
 
 constexpr int kSeedChoices = 1;
-constexpr int kTreeOften = 16;          ///< rollouts; with so few lookouts a tree is searched through
+constexpr int kTreeOften = 2;           ///< rollouts; with few lookouts a tree is searched through
+constexpr int kTreeSeldom = 100;        ///< lookouts squared for each rollout between two of the tree
 constexpr std::size_t kMowable = 5000;  ///< search cells; mowing a larger area takes longer than a first plan may
 constexpr double kSamePlace_m = 1e-3;
 constexpr double kSameTime_s = 1e-2;
@@ -63,7 +64,7 @@ void TandemPlanner::begin(const SearchProblem& problem, Rng rng) {
   refinement_.emplace(ground_, *value_, options_.refinement);
   int lookouts = 0;
   for (const PreparedProblem::Member& who : problem_->members()) lookouts = std::max(lookouts, who.actions->lookouts());
-  tree_every_ = std::min(tree_every_, std::max(kTreeOften, lookouts));
+  tree_every_ = std::min(tree_every_, std::max(kTreeOften, lookouts * lookouts / kTreeSeldom));
   best_ = Routes(problem.members.size());
   best_s_ = value_->value_s(best_);
   incumbent_ = best_;
@@ -145,6 +146,10 @@ void TandemPlanner::run(int rollouts, const std::function<bool()>& stop) {
         best_s_ = value_s;
         refinement_->restart(best_, best_s_);
       }
+    }
+    if (tree_every_ > 0 && refinement_->is_stuck()) {
+      const double value_s = tree_->rollout(rng_);
+      refinement_->restart(tree_->routes(), value_s);
     }
     if (options_.moves == 0 || !refinement_->improve(options_.moves, rng_) || refinement_->best_s() >= best_s_)
       continue;
