@@ -6,6 +6,7 @@
 
 #include "services/common/random.hpp"
 #include "services/planner/core/tasks/task_bound.hpp"
+#include "services/planner/core/tasks/task_courses.hpp"
 #include "services/planner/core/tasks/task_score.hpp"
 #include "services/planner/core/tasks/task_sequences.hpp"
 
@@ -85,7 +86,9 @@ class TaskTree {
   void close(Node& node);
   template <typename Choice>
   double finish(TaskState state, std::vector<TaskAction>& decisions, const Choice& choice);
-  [[nodiscard]] std::size_t greedy_choice(const TaskState& state, double impatience);
+  double offered(const std::vector<TaskAction>& decisions, const TaskState& final_state);
+  [[nodiscard]] std::size_t greedy_choice(const TaskState& state, const std::vector<TaskAction>& actions,
+                                          double impatience);
   [[nodiscard]] std::size_t random_choice(const TaskState& state, double impatience, Rng& rng);
   double finish_at_random(TaskState state, std::vector<TaskAction>& decisions, Rng& rng);
   void back_up(const std::vector<std::int32_t>& path, double value);
@@ -98,13 +101,14 @@ class TaskTree {
   TaskScore score_;
   std::deque<Node> nodes_;  ///< a deque: nodes stay where they are
   std::vector<std::int32_t> free_nodes_;
-  TaskState start_;
+  TaskCourses courses_;
   double lowest_ = 0.0;  ///< value seen
   bool has_values_ = false;
   std::int64_t rollouts_ = 0;
   std::vector<TaskAction> current_;  ///< the plan that is being changed
   double current_value_ = 0.0;
   std::vector<TaskAction> changed_;
+  std::vector<std::size_t> next_in_sequence_;  ///< by agent
   std::vector<TaskAction> actions_;
   std::vector<double> scores_;
 };
