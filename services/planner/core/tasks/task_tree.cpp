@@ -32,17 +32,6 @@ TaskTree::TaskTree(TaskModel& model, TaskIncumbent& incumbent, const TaskTreeOpt
   add_node(courses_.state(TaskCourses::kStart));
 }
 
-std::int64_t TaskTree::least_makespan_ms(const TaskState& state) const {
-  std::int64_t least = state.makespan_ms;
-  for (std::size_t a = 0; a < model_.agent_count(); ++a) {
-    const TaskAgentState& one = state.agents[a];
-    if (one.occupation == Occupation::Visiting || one.occupation == Occupation::GoingToGoal) {
-      least = std::max(least, std::min(model_.horizon_ms(), one.arrival_ms()));
-    }
-  }
-  return least;
-}
-
 std::int32_t TaskTree::add_node(TaskState state) {
   std::int32_t number = static_cast<std::int32_t>(nodes_.size());
   if (free_nodes_.empty()) {
@@ -251,7 +240,7 @@ void TaskTree::walk_down(Rng& rng) {
       break;
     }
     if (!node.is_expanded) {
-      if (!incumbent_.can_be_beaten_by(node.bound, least_makespan_ms(node.state))) {
+      if (!incumbent_.can_be_beaten_by(node.bound, model_.least_makespan_ms(node.state))) {
         close(node);
         break;
       }
@@ -296,7 +285,7 @@ void TaskTree::back_up(const std::vector<std::int32_t>& path, double value) {
       bound = std::max(bound, below.bound);
     }
     node.bound = std::min(node.bound, bound);
-    if (all_closed || !incumbent_.can_be_beaten_by(node.bound, least_makespan_ms(node.state))) close(node);
+    if (all_closed || !incumbent_.can_be_beaten_by(node.bound, model_.least_makespan_ms(node.state))) close(node);
   }
 }
 
