@@ -188,6 +188,17 @@ int TaskModel::decider(const TaskState& state) const {
   return kNobody;
 }
 
+std::int64_t TaskModel::least_makespan_ms(const TaskState& state) const {
+  std::int64_t least = state.makespan_ms;
+  for (std::size_t a = 0; a < agent_count(); ++a) {
+    const TaskAgentState& one = state.agents[a];
+    if (one.occupation == Occupation::Visiting || one.occupation == Occupation::GoingToGoal) {
+      least = std::max(least, std::min(horizon_ms_, one.arrival_ms()));
+    }
+  }
+  return least;
+}
+
 TaskState TaskModel::after(const TaskState& state, const TaskAction& action) {
   TaskState next = state;
   if (action.kind == TaskActionKind::Tell) {

@@ -54,6 +54,9 @@ class TaskModel {
   /// The state in which the next decision is due after this one.
   [[nodiscard]] TaskState after(const TaskState& state, const TaskAction& action);
 
+  /// No course that goes on from the state has its last action end sooner [ms].
+  [[nodiscard]] std::int64_t least_makespan_ms(const TaskState& state) const;
+
   /// Whether the source may still pay the agent some time; relations that others may yet open are no obstacle.
   [[nodiscard]] bool is_hopeful(const TaskState& state, std::size_t source, std::size_t agent) const;
   /// Whether the agent knows the source, told or not (digest D2).

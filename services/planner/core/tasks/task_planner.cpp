@@ -5,13 +5,15 @@
 #include <limits>
 #include <map>
 
+#include "services/planner/core/tasks/task_branch_and_bound.hpp"
 #include "services/planner/core/tasks/task_replay.hpp"
 #include "services/planner/core/tasks/task_tree.hpp"
 
 namespace tandem {
 namespace {
 
-constexpr double kSameValue = 1e-8;  ///< values nearer to each other, relatively, count as equal
+constexpr std::int64_t kDecisionsPerRollout = 1;  ///< of branch and bound: about half of the time
+constexpr double kSameValue = 1e-8;               ///< values nearer to each other, relatively, count as equal
 
 double slack_of(double value) {
   return kSameValue * std::max(1.0, std::abs(value));
@@ -80,7 +82,7 @@ class BestPlan : public TaskIncumbent {
 class TaskPlanner::Impl {
  public:
   Impl(TaskProblem given, Rng generator)
-      : problem(std::move(given)), rng(generator), model(problem), best(model), tree(model, best) {
+      : problem(std::move(given)), rng(generator), model(problem), best(model), tree(model, best), proof(model, best) {
     tree.offer_greedy_plans();
     tree.offer_plan_in_execution();
   }
@@ -90,6 +92,7 @@ class TaskPlanner::Impl {
   TaskModel model;
   BestPlan best;
   TaskTree tree;
+  TaskBranchAndBound proof;
   std::int64_t rollouts = 0;
 };
 
@@ -101,6 +104,7 @@ TaskPlanner& TaskPlanner::operator=(TaskPlanner&&) noexcept = default;
 void TaskPlanner::run(std::int64_t rollouts, const std::function<bool()>& stop) {
   for (std::int64_t i = 0; i < rollouts && !impl_->tree.is_finished(); ++i) {
     impl_->tree.roll_out(impl_->rng);
+    impl_->proof.go_on(kDecisionsPerRollout);
     ++impl_->rollouts;
     if (stop && stop()) return;
   }
@@ -119,7 +123,8 @@ double TaskPlanner::value() const {
 }
 
 double TaskPlanner::upper_bound() const {
-  return impl_->tree.is_finished() ? impl_->best.value() : std::max(impl_->tree.bound(), impl_->best.value());
+  if (impl_->tree.is_finished()) return impl_->best.value();
+  return std::max(std::min(impl_->tree.bound(), impl_->proof.bound()), impl_->best.value());
 }
 
 std::optional<TaskPlan> TaskPlanner::best() {

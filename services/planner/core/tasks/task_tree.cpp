@@ -15,27 +15,21 @@ constexpr double kGreedyImpatience[] = {1.0, 0.5, 1.5, 0.0};
 constexpr double kSharpness = 3.0;      ///< a random course takes decisions by score to this power
 constexpr double kShareUniform = 0.05;  ///< of random decisions that do not look at the score
 constexpr double kLeastPrior = 1e-3;
-constexpr std::int64_t kWalkDownEvery = 4;  ///< rollouts; the others change a plan
-constexpr double kHeat = 0.02;              ///< of annealing, as a share of the best value
-constexpr double kShareBackToBest = 0.005;  ///< of changes that start from the best plan again
+constexpr std::int64_t kWalkDownEvery = 4;   ///< rollouts; the others change a plan
+constexpr std::size_t kMostMoments = 30000;  ///< of courses kept, some 50 MB
+constexpr double kHeat = 0.02;               ///< of annealing, as a share of the best value
+constexpr double kShareBackToBest = 0.005;   ///< of changes that start from the best plan again
 
 }  // namespace
 
 TaskTree::TaskTree(TaskModel& model, TaskIncumbent& incumbent, const TaskTreeOptions& options)
-    : model_(model), incumbent_(incumbent), options_(options), bound_of_(model), score_(model) {
-  start_ = model.start();
-  add_node(start_);
-}
-
-std::int64_t TaskTree::least_makespan_ms(const TaskState& state) const {
-  std::int64_t least = state.makespan_ms;
-  for (std::size_t a = 0; a < model_.agent_count(); ++a) {
-    const TaskAgentState& one = state.agents[a];
-    if (one.occupation == Occupation::Visiting || one.occupation == Occupation::GoingToGoal) {
-      least = std::max(least, std::min(model_.horizon_ms(), one.arrival_ms()));
-    }
-  }
-  return least;
+    : model_(model),
+      incumbent_(incumbent),
+      options_(options),
+      bound_of_(model),
+      score_(model),
+      courses_(model, model.start()) {
+  add_node(courses_.state(TaskCourses::kStart));
 }
 
 std::int32_t TaskTree::add_node(TaskState state) {
@@ -119,15 +113,19 @@ double TaskTree::finish(TaskState state, std::vector<TaskAction>& decisions, con
     decisions.push_back(actions_[choice(state)]);
     state = model_.after(state, decisions.back());
   }
-  incumbent_.offer(decisions, state);
-  if (!has_values_ || state.value < lowest_) lowest_ = state.value;
-  has_values_ = true;
-  return state.value;
+  return offered(decisions, state);
 }
 
-std::size_t TaskTree::greedy_choice(const TaskState& state, double impatience) {
+double TaskTree::offered(const std::vector<TaskAction>& decisions, const TaskState& final_state) {
+  incumbent_.offer(decisions, final_state);
+  if (!has_values_ || final_state.value < lowest_) lowest_ = final_state.value;
+  has_values_ = true;
+  return final_state.value;
+}
+
+std::size_t TaskTree::greedy_choice(const TaskState& state, const std::vector<TaskAction>& actions, double impatience) {
   scores_.clear();
-  for (const TaskAction& action : actions_) scores_.push_back(score_(state, action, impatience));
+  for (const TaskAction& action : actions) scores_.push_back(score_(state, action, impatience));
   return static_cast<std::size_t>(std::ranges::max_element(scores_) - scores_.begin());
 }
 
@@ -153,21 +151,34 @@ double TaskTree::finish_at_random(TaskState state, std::vector<TaskAction>& deci
 void TaskTree::offer_greedy_plans() {
   for (const double impatience : kGreedyImpatience) {
     std::vector<TaskAction> decisions;
-    (void)finish(start_, decisions, [&](const TaskState& state) { return greedy_choice(state, impatience); });
+    (void)finish(courses_.state(TaskCourses::kStart), decisions,
+                 [&](const TaskState& state) { return greedy_choice(state, actions_, impatience); });
   }
 }
 
 /// From the start, everybody goes through its sequence, messages as given, then greedily on.
 double TaskTree::finish_as_in(const TaskSequences& sequences, std::int32_t told, std::vector<TaskAction>& decisions) {
-  std::vector<std::size_t> next(sequences.size(), 0);
+  if (courses_.size() >= kMostMoments) courses_.forget();
+  next_in_sequence_.assign(sequences.size(), 0);
   decisions.clear();
-  return finish(start_, decisions, [&](const TaskState& state) {
-    const int agent = model_.decider(state);
-    if (agent == TaskModel::kTeller) return static_cast<std::size_t>(told);
-    const auto a = static_cast<std::size_t>(agent);
-    const int chosen = a < sequences.size() ? following(sequences[a], next[a], actions_) : -1;
-    return chosen >= 0 ? static_cast<std::size_t>(chosen) : greedy_choice(state, 1.0);
-  });
+  std::int32_t moment = TaskCourses::kStart;
+  for (int agent = 0; (agent = model_.decider(courses_.state(moment))) != TaskModel::kNobody;) {
+    const std::vector<TaskAction>& actions = courses_.actions(moment);
+    int chosen = -1;
+    if (agent == TaskModel::kTeller) {
+      chosen = told;
+    } else if (const auto a = static_cast<std::size_t>(agent); a < sequences.size()) {
+      chosen = following(sequences[a], next_in_sequence_[a], actions);
+    }
+    if (chosen < 0) {
+      std::int32_t& greedy = courses_.noted_choice(moment);
+      if (greedy < 0) greedy = static_cast<std::int32_t>(greedy_choice(courses_.state(moment), actions, 1.0));
+      chosen = greedy;
+    }
+    decisions.push_back(actions[static_cast<std::size_t>(chosen)]);
+    moment = courses_.after(moment, static_cast<std::size_t>(chosen));
+  }
+  return offered(decisions, courses_.state(moment));
 }
 
 void TaskTree::offer_plan_in_execution() {
@@ -229,7 +240,7 @@ void TaskTree::walk_down(Rng& rng) {
       break;
     }
     if (!node.is_expanded) {
-      if (!incumbent_.can_be_beaten_by(node.bound, least_makespan_ms(node.state))) {
+      if (!incumbent_.can_be_beaten_by(node.bound, model_.least_makespan_ms(node.state))) {
         close(node);
         break;
       }
@@ -274,7 +285,7 @@ void TaskTree::back_up(const std::vector<std::int32_t>& path, double value) {
       bound = std::max(bound, below.bound);
     }
     node.bound = std::min(node.bound, bound);
-    if (all_closed || !incumbent_.can_be_beaten_by(node.bound, least_makespan_ms(node.state))) close(node);
+    if (all_closed || !incumbent_.can_be_beaten_by(node.bound, model_.least_makespan_ms(node.state))) close(node);
   }
 }
 

@@ -6,30 +6,12 @@
 
 #include "services/common/random.hpp"
 #include "services/planner/core/tasks/task_bound.hpp"
+#include "services/planner/core/tasks/task_courses.hpp"
+#include "services/planner/core/tasks/task_incumbent.hpp"
 #include "services/planner/core/tasks/task_score.hpp"
 #include "services/planner/core/tasks/task_sequences.hpp"
 
 namespace tandem {
-
-/// A complete joint plan as its decisions.
-struct TaskCandidate {
-  std::vector<TaskAction> decisions;
-  double value = 0.0;
-  std::int64_t makespan_ms = 0;
-};
-
-/// Keeps the best complete plan found, and says what is worth a closer look.
-class TaskIncumbent {
- public:
-  virtual ~TaskIncumbent() = default;
-  /// A complete plan was found; `final_state` is its end.
-  virtual void offer(const std::vector<TaskAction>& decisions, const TaskState& final_state) = 0;
-  /// Whether a plan of at most this value that ends no sooner than this could take the place of the best.
-  [[nodiscard]] virtual bool can_be_beaten_by(double bound, std::int64_t least_makespan_ms) const = 0;
-  [[nodiscard]] virtual double value() const = 0;
-  /// The decisions of the best plan.
-  [[nodiscard]] virtual const std::vector<TaskAction>& decisions() const = 0;
-};
 
 struct TaskTreeOptions {
   double exploration = 0.4;  ///< of PUCT, in units of the range of values
@@ -85,11 +67,12 @@ class TaskTree {
   void close(Node& node);
   template <typename Choice>
   double finish(TaskState state, std::vector<TaskAction>& decisions, const Choice& choice);
-  [[nodiscard]] std::size_t greedy_choice(const TaskState& state, double impatience);
+  double offered(const std::vector<TaskAction>& decisions, const TaskState& final_state);
+  [[nodiscard]] std::size_t greedy_choice(const TaskState& state, const std::vector<TaskAction>& actions,
+                                          double impatience);
   [[nodiscard]] std::size_t random_choice(const TaskState& state, double impatience, Rng& rng);
   double finish_at_random(TaskState state, std::vector<TaskAction>& decisions, Rng& rng);
   void back_up(const std::vector<std::int32_t>& path, double value);
-  [[nodiscard]] std::int64_t least_makespan_ms(const TaskState& state) const;
 
   TaskModel& model_;
   TaskIncumbent& incumbent_;
@@ -98,13 +81,14 @@ class TaskTree {
   TaskScore score_;
   std::deque<Node> nodes_;  ///< a deque: nodes stay where they are
   std::vector<std::int32_t> free_nodes_;
-  TaskState start_;
+  TaskCourses courses_;
   double lowest_ = 0.0;  ///< value seen
   bool has_values_ = false;
   std::int64_t rollouts_ = 0;
   std::vector<TaskAction> current_;  ///< the plan that is being changed
   double current_value_ = 0.0;
   std::vector<TaskAction> changed_;
+  std::vector<std::size_t> next_in_sequence_;  ///< by agent
   std::vector<TaskAction> actions_;
   std::vector<double> scores_;
 };
