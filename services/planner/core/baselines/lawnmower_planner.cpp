@@ -25,17 +25,17 @@ double lane_width_m(const PreparedProblem& problem) {
   return width_m;
 }
 
-Field field_of(const PreparedProblem& problem, const std::vector<double>& mass) {
+Field field_of(const PreparedProblem& problem, const TeamWalk& walk) {
   const SearchArea& area = problem.problem().world->area();
   Field field;
   std::vector<int> unseen;
   std::vector<Vector2d> points;
   for (int cell = 0; cell < area.size(); ++cell) {
-    if (mass[static_cast<std::size_t>(cell)] <= 0.0) continue;
+    if (!walk.counts(walk.mass()[static_cast<std::size_t>(cell)])) continue;
     unseen.push_back(cell);
     points.push_back(area.point(cell));
   }
-  field.share_before.assign(mass.size(), -1.0);
+  field.share_before.assign(walk.mass().size(), -1.0);
   for (const int index : mowing_order(points, lane_width_m(problem))) {
     const int cell = unseen[static_cast<std::size_t>(index)];
     field.share_before[static_cast<std::size_t>(cell)] =
@@ -139,7 +139,7 @@ std::vector<int> mowing_order(const std::vector<Vector2d>& points, double lane_w
 
 Routes lawnmower_routes(const PreparedProblem& problem) {
   TeamWalk walk(problem, 1);
-  const Field field = field_of(problem, walk.mass());
+  const Field field = field_of(problem, walk);
   if (field.cells.empty()) return walk.routes();
   const std::vector<int> order = nearest_order(problem, field);
   const std::vector<double> starts = piece_starts(problem, order);
@@ -151,7 +151,7 @@ Routes lawnmower_routes(const PreparedProblem& problem) {
   for (int member = walk.next_member(); member >= 0; member = walk.next_member()) {
     const auto m = static_cast<std::size_t>(member);
     const auto is_worth_going = [&](int lookout) {
-      return walk.mass_around(member, lookout) > 0.0 && walk.option(member, lookout).time_s > 0.0;
+      return walk.counts(walk.mass_around(member, lookout)) && walk.option(member, lookout).time_s > 0.0;
     };
     while (next[m] < ahead[m].size() && !is_worth_going(ahead[m][next[m]])) ++next[m];
     if (const auto& goal = problem.members()[m].goal) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 namespace tandem {
@@ -10,7 +11,7 @@ namespace {
 
 constexpr double kDetourFactor = 1.5;
 constexpr double kDetour_m = 4.0;
-constexpr double kNothing = 1e-12;  ///< mass
+constexpr double kNothing = 1e-12;  ///< share of all mass
 
 double detected(const Sightings& seen, std::size_t i, double rate_per_s) {
   return std::isinf(rate_per_s) ? 1.0 : -std::expm1(-rate_per_s * (seen.leave_s[i] - seen.enter_s[i]));
@@ -26,6 +27,7 @@ TeamWalk::TeamWalk(const PreparedProblem& problem, int most_options)
   for (const auto& of_object : problem.problem().masses) {
     std::ranges::transform(mass_, of_object, mass_.begin(), std::plus{});
   }
+  nothing_ = kNothing * std::accumulate(mass_.begin(), mass_.end(), 0.0);
   for (const Look& look : problem.fixed_looks()) take_in(*look.seen, look.rate_per_s);
   for (const auto& member : problem.members()) {
     Progress progress{member.start, member.start_s, member.heading_rad};
@@ -85,9 +87,9 @@ std::vector<WalkOption> TeamWalk::options(int member) const {
   const auto offer = [&](bool shows_new_at_its_end) {
     for (const auto& [distance_m, lookout] : near) {
       if (static_cast<int>(options.size()) >= most_options_) break;
-      if ((mass_around(member, lookout) > kNothing) != shows_new_at_its_end) continue;
+      if (counts(mass_around(member, lookout)) != shows_new_at_its_end) continue;
       const WalkOption offered = option(member, lookout);
-      if (offered.gain > kNothing && offered.time_s > 0.0) options.push_back(offered);
+      if (counts(offered.gain) && offered.time_s > 0.0) options.push_back(offered);
     }
   };
   offer(true);

@@ -38,6 +38,8 @@ class TeamWalk {
   [[nodiscard]] const std::vector<double>& mass() const { return mass_; }
   /// What a lookout of `member` shows to all sides and is new [mass].
   [[nodiscard]] double mass_around(int member, int lookout) const;
+  /// Whether so much mass is worth a look: more than rounding leaves, by the mass that there was in all.
+  [[nodiscard]] bool counts(double mass) const { return mass > nothing_; }
   [[nodiscard]] int place_of(int member) const { return progress_[static_cast<std::size_t>(member)].place; }
 
  private:
@@ -56,6 +58,7 @@ class TeamWalk {
   const PreparedProblem* problem_;
   int most_options_;
   std::vector<double> mass_;
+  double nothing_ = 0.0;  ///< mass
   std::vector<Progress> progress_;
   Routes routes_;
 };
