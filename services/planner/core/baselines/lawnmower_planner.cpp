@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 /// Unseen cells in the order of mowing.
 struct Field {
   std::vector<int> cells;
-  std::vector<double> share_before;  ///< per search cell: how much of the work lies before it, [0, 1); -1 if seen
+  std::vector<double> share;  ///< per search cell: how much of the work is done in its middle, (0, 1); -1 if seen
 };
 
 double lane_width_m(const PreparedProblem& problem) {
@@ -35,11 +35,11 @@ Field field_of(const PreparedProblem& problem, const TeamWalk& walk) {
     unseen.push_back(cell);
     points.push_back(area.point(cell));
   }
-  field.share_before.assign(walk.mass().size(), -1.0);
+  field.share.assign(walk.mass().size(), -1.0);
   for (const int index : mowing_order(points, lane_width_m(problem))) {
     const int cell = unseen[static_cast<std::size_t>(index)];
-    field.share_before[static_cast<std::size_t>(cell)] =
-        static_cast<double>(field.cells.size()) / static_cast<double>(unseen.size());
+    field.share[static_cast<std::size_t>(cell)] =
+        (static_cast<double>(field.cells.size()) + 0.5) / static_cast<double>(unseen.size());
     field.cells.push_back(cell);
   }
   return field;
@@ -51,7 +51,8 @@ std::vector<double> piece_starts(const PreparedProblem& problem, const std::vect
   for (const int m : members) {
     const PreparedProblem::Member& who = problem.members()[static_cast<std::size_t>(m)];
     const Searcher& searcher = who.actions->searcher();
-    starts.push_back(starts.back() + (who.start < 0 ? 0.0 : searcher.speed_mps * searcher.view_max_m));
+    const double time_s = who.start < 0 ? 0.0 : std::max(0.0, who.end_s - who.start_s);
+    starts.push_back(starts.back() + time_s * searcher.speed_mps * searcher.view_max_m);
   }
   const double sum = starts.back();
   for (double& start : starts) start = sum > 0.0 ? start / sum : 1.0;
@@ -98,9 +99,9 @@ std::vector<int> lane_of(const PreparedProblem& problem, const Field& field, int
     double share = -1.0;
     for (const int cell : who.actions->panorama(lookout)) {
       const double distance_m = (area.point(cell) - who.actions->place(lookout)).norm();
-      if (field.share_before[static_cast<std::size_t>(cell)] < 0.0 || distance_m >= nearest_m) continue;
+      if (field.share[static_cast<std::size_t>(cell)] < 0.0 || distance_m >= nearest_m) continue;
       nearest_m = distance_m;
-      share = field.share_before[static_cast<std::size_t>(cell)];
+      share = field.share[static_cast<std::size_t>(cell)];
     }
     if (share >= from_share && share < to_share) order.emplace_back(share, lookout);
   }

@@ -9,7 +9,7 @@ namespace tandem {
 /// A place a member could go to next.
 struct WalkOption {
   int place = -1;
-  double gain = 0.0;    ///< mass it shows on the way there that nobody has shown yet
+  double gain = 0.0;    ///< mass it shows on the way there, while it can go on, that nobody has shown yet
   double time_s = 0.0;  ///< until it is there, the turn at the beginning included
 };
 
@@ -53,7 +53,7 @@ class TeamWalk {
   [[nodiscard]] const PreparedProblem::Member& member_at(int member) const {
     return problem_->members()[static_cast<std::size_t>(member)];
   }
-  void take_in(const Sightings& seen, double rate_per_s);
+  void take_in(const Sightings& seen, double rate_per_s, double until_s);
 
   const PreparedProblem* problem_;
   int most_options_;

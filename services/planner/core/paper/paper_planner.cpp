@@ -97,13 +97,9 @@ void PaperPlanner::begin(const SearchProblem& problem, Rng rng) {
     objective_ = std::make_unique<std::variant<DetectedMass, NegativeExpectedTime>>(
         std::in_place_type<DetectedMass>, mass_, tree_pointers_, options_.pruning.travel_cost_per_s);
   } else {
-    double unsearched = 0.0;
-    for (const auto& of_object : problem.masses) {
-      unsearched += share_with_mass(of_object, problem.world->area()) / static_cast<double>(problem.masses.size());
-    }
     objective_ = std::make_unique<std::variant<DetectedMass, NegativeExpectedTime>>(
         std::in_place_type<NegativeExpectedTime>, SearchObjective(problem.masses, problem.horizon_s, problem.tail_s),
-        tree_pointers_, starts_s, rates_per_s, problem_->fixed_looks(), options_.rest_sweeps, unsearched);
+        tree_pointers_, starts_s, rates_per_s, problem_->fixed_looks(), options_.rest_sweeps);
   }
   expand_end_states();
 }
