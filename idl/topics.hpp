@@ -105,7 +105,7 @@ inline constexpr Topic<TeamPlanPubSubType> kTeamPlan{"team_plan", Delivery::Stat
 inline constexpr Topic<PlannerStatusPubSubType> kPlannerStatus{"planner_status", Delivery::State, relay::never()};
 /// navigator -> planner, gateway; 2 Hz.
 inline constexpr Topic<PlanExecutionPubSubType> kPlanExecution{"plan_execution", Delivery::State, relay::to_laptop()};
-/// planner -> gateway.
+/// planner -> gateway. Its receipt says that the person has taken notice: *Got it* on the phone.
 inline constexpr Topic<InformPubSubType> kInform{"inform", Delivery::Event, relay::never(), "gateway"};
 /// planner -> gateway, recorder; 1 Hz.
 inline constexpr Topic<SearchBeliefPubSubType> kBelief{"belief", Delivery::State, relay::never()};

@@ -90,6 +90,7 @@ struct Writer {
     if (trigger.obeyed_after_ms) json["obeyed_after_ms"] = *trigger.obeyed_after_ms;
     return json;
   }
+  Json operator()(const GotIt& got_it) const { return {{"type", "got_it"}, {"id", got_it.id}}; }
   Json operator()(const Ping& ping) const { return {{"type", "ping"}, {"sent_at_ms", ping.sent_at_ms}}; }
 };
 
@@ -125,10 +126,12 @@ std::variant<ClientMessage, Malformed> parse_client_message(std::string_view tex
     message = Seen{reader.count("sequence", 0, kMany)};
   } else if (type == "trig") {
     message = read_trigger(reader);
+  } else if (type == "got_it") {
+    message = GotIt{reader.text("id", 1, 128)};
   } else if (type == "ping") {
     message = Ping{reader.number("sent_at_ms", 0.0, kLong)};
   } else {
-    reader.fail("type is none of cmd, seen, trig, ping");
+    reader.fail("type is none of cmd, seen, trig, got_it, ping");
   }
   if (!reader.complete()) return Malformed{reason};
   return message;

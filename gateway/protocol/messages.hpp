@@ -67,13 +67,21 @@ struct Trigger {
   friend bool operator==(const Trigger&, const Trigger&) = default;
 };
 
+/// The person has taken notice of the Event of this id: *Got it*. What waits for it is shown again after a
+/// reconnection.
+struct GotIt {
+  std::string id;
+
+  friend bool operator==(const GotIt&, const GotIt&) = default;
+};
+
 struct Ping {
   double sent_at_ms = 0.0;  ///< the phone's monotonic clock; comes back in the Pong
 
   friend bool operator==(const Ping&, const Ping&) = default;
 };
 
-using ClientMessage = std::variant<Command, Seen, Trigger, Ping>;
+using ClientMessage = std::variant<Command, Seen, Trigger, GotIt, Ping>;
 
 // Gateway -> phone
 // -----------------------------------------------------------------------------------------------------
@@ -221,6 +229,7 @@ struct Event {
   std::string kind;  ///< found, error, inform
   std::string text;
   std::optional<Point> point_in_map;
+  std::string id{};  ///< of what waits for a GotIt; empty: nothing does
 
   friend bool operator==(const Event&, const Event&) = default;
 };

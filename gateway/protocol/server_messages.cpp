@@ -162,6 +162,7 @@ Event read_event(ObjectReader& reader) {
   event.kind = reader.word("kind", {"found", "error", "inform"});
   event.text = reader.text("text", 0, 500);
   if (reader.has("x") || reader.has("y")) event.point_in_map = read_point(reader);
+  if (reader.has("id")) event.id = reader.text("id", 1, 128);
   return event;
 }
 
@@ -239,6 +240,7 @@ struct Writer {
       json["x"] = event.point_in_map->x;
       json["y"] = event.point_in_map->y;
     }
+    if (!event.id.empty()) json["id"] = event.id;
     return json;
   }
   Json operator()(const Pong& pong) const { return {{"type", "pong"}, {"sent_at_ms", pong.sent_at_ms}}; }

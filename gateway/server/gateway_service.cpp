@@ -114,6 +114,9 @@ void GatewayService::greet(net::SocketId socket, const std::string& session) {
   if (!team_.belief().data.empty()) server_.send_latest(socket, "belief", team_.belief().data, true);
   if (pacer_.last()) server_.send_latest(socket, "state", protocol::write(protocol::ServerMessage{*pacer_.last()}));
   if (team_.found()) server_.send(socket, protocol::write(protocol::ServerMessage{*team_.found()}));
+  if (const auto inform = team_.waiting_inform()) {
+    server_.send(socket, protocol::write(protocol::ServerMessage{*inform}));
+  }
 }
 
 void GatewayService::handle(net::SocketId socket, Phone& phone, const std::string& text) {
@@ -132,6 +135,8 @@ void GatewayService::handle(net::SocketId socket, Phone& phone, const std::strin
         } else if constexpr (std::is_same_v<Message, protocol::Ping>) {
           server_.send_latest(socket, "pong",
                               protocol::write(protocol::ServerMessage{protocol::Pong{message.sent_at_ms}}));
+        } else if constexpr (std::is_same_v<Message, protocol::GotIt>) {
+          if (phone.slot.agent == site_.agent) team_.got_it(message.id);
         }  // Seen and Trigger are for the records of a study.
       },
       std::get<protocol::ClientMessage>(parsed));

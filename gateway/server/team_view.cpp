@@ -11,6 +11,9 @@ namespace {
 /// A planner says its plan again every second; one not heard for this long is dead.
 constexpr Duration kPlanLife = from_seconds(3.0);
 
+/// What the person has not taken notice of for so long is shown to no phone any more.
+constexpr Duration kInformLife = from_seconds(30.0);
+
 /// The newest sample of the instances for which `is_ours` holds.
 template <class Message, class PubSubType, class Predicate>
 std::optional<bus::Received<Message>> newest_of(const bus::Latest<Message, PubSubType>& topic, Predicate is_ours) {
@@ -90,9 +93,24 @@ void TeamView::read_events() {
     events_.push_back(*found_);
   }
   for (const auto& inform : informs_.take()) {
-    informs_.applied(inform.id());
-    if (inform.agent() == site_.agent) events_.push_back({"inform", inform.reason().substr(0, 300), {}});
+    if (inform.agent() != site_.agent) {
+      informs_.refused(inform.id(), "there is no phone of " + inform.agent());
+      continue;
+    }
+    inform_ = protocol::Event{"inform", inform.reason().substr(0, 300), {}, inform.id()};
+    inform_heard_ = bus_.clock().now();
+    events_.push_back(*inform_);
   }
+}
+
+std::optional<protocol::Event> TeamView::waiting_inform() const {
+  return bus_.clock().now() - inform_heard_ < kInformLife ? inform_ : std::nullopt;
+}
+
+void TeamView::got_it(const std::string& id) {
+  if (!inform_ || inform_->id != id) return;
+  informs_.applied(id);
+  inform_.reset();
 }
 
 protocol::State TeamView::state() const {

@@ -38,6 +38,10 @@ class TeamView {
   [[nodiscard]] const std::vector<protocol::Event>& events() const { return events_; }
   /// That the object was found, for phones that come later.
   [[nodiscard]] const std::optional<protocol::Event>& found() const { return found_; }
+  /// What the person is to take notice of, for phones that come later.
+  [[nodiscard]] std::optional<protocol::Event> waiting_inform() const;
+  /// The person has taken notice of the message of this id: only now its receipt is sent.
+  void got_it(const std::string& id);
 
  private:
   void read_map();
@@ -65,6 +69,8 @@ class TeamView {
   Shown belief_;
   std::vector<protocol::Event> events_;
   std::optional<protocol::Event> found_;
+  std::optional<protocol::Event> inform_;  ///< the newest message that waits
+  Time inform_heard_{};
   std::optional<protocol::Map> map_frame_;  ///< without its cells: for is_on_map
   Time plan_heard_{};
   std::string shown_plan_id_;

@@ -15,15 +15,15 @@ namespace tandem::bus {
 /// The services named in `appliers` ("planner,tracker").
 [[nodiscard]] std::vector<std::string> split_appliers(std::string_view appliers);
 
-/// Sends Events of one topic and repeats each until every applier has sent its receipt, or gives up after 10 s.
+/// Sends Events of one topic and repeats each until every applier has sent its receipt, or gives up.
 template <class Message, class PubSubType>
 class EventSender {
  public:
-  EventSender(Bus& bus, const Topic<PubSubType>& topic)
+  EventSender(Bus& bus, const Topic<PubSubType>& topic, Duration give_up_after = std::chrono::seconds{10})
       : bus_(bus),
         writer_(bus.writer(topic)),
         receipts_(bus.in_order(topic::kMessageReceipt)),
-        sent_(split_appliers(topic.appliers), std::chrono::seconds{1}, std::chrono::seconds{10}) {}
+        sent_(split_appliers(topic.appliers), std::chrono::seconds{1}, give_up_after) {}
 
   /// Sends `event`, whose id must be new (new_event_id).
   void send(const Message& event) {
@@ -49,8 +49,8 @@ class EventSender {
   SentEvents sent_;
   std::map<std::string, Message> unanswered_;
 };
-template <class PubSubType>
-EventSender(Bus&, const Topic<PubSubType>&) -> EventSender<typename PubSubType::type, PubSubType>;
+template <class PubSubType, class... Times>
+EventSender(Bus&, const Topic<PubSubType>&, Times...) -> EventSender<typename PubSubType::type, PubSubType>;
 
 /// Gives each Event of one topic once, and answers repetitions as the first was answered.
 template <class Message, class PubSubType>

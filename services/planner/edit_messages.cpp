@@ -29,6 +29,7 @@ std::optional<BeliefEdit> to_core(const msg::BeliefEdit& message) {
   BeliefEdit edit;
   edit.region = *region;
   edit.strength = message.strength();
+  edit.who = message.who();
   switch (message.kind()) {
     case msg::BELIEF_LIKELY_HERE:
       edit.kind = BeliefEdit::Kind::LikelyHere;
@@ -51,6 +52,7 @@ std::optional<SourceEdit> to_core(const msg::SourceEdit& message) {
   edit.source_id = message.source_id();
   edit.strength = message.strength();
   edit.targets = message.targets();
+  edit.who = message.who();
   if (message.kind() == msg::EDIT_REMOVE) return edit;
   const auto region = region_of(message.boundary_in_map());
   if (!region) return std::nullopt;

@@ -68,6 +68,7 @@ PlannerService::PlannerService(const PlannerConfig& config, const SiteConfig& si
       belief_(bus.writer(topic::kBelief)),
       reward_source_(bus.writer(topic::kRewardSource)),
       source_relation_(bus.writer(topic::kSourceRelation)),
+      informs_(bus, topic::kInform, from_seconds(config.inform_life_s)),
       health_(bus, site, "planner"),
       sequence_number_(static_cast<std::uint64_t>(to_stamp_ns(clock.now())) / kNsPerMs) {}
 
@@ -90,6 +91,7 @@ void PlannerService::step() {
   publish_status(done);
   publish_belief(done);
   publish_sources();
+  tell_person(done);
   const bool failed = mission_.activity() == MissionActivity::Failed;
   health_.step(failed ? msg::HEALTH_DEGRADED : msg::HEALTH_OK, mission_.failure());
 }
@@ -226,6 +228,27 @@ void PlannerService::publish_sources() {
   std::map<std::pair<std::string, std::string>, Relation> relations;
   for (const Relation& relation : mission_.relations()) relations[{relation.from, relation.to}] = relation;
   publish_changes(std::move(relations), published_relations_, source_relation_);
+}
+
+void PlannerService::tell_person(Time now) {
+  informs_.step();
+  if (!told_id_.empty() && informs_.outcome(told_id_).state == bus::EventOutcome::State::Applied) {
+    spdlog::info("person informed: id={}", told_id_);
+    mission_.inform_heard(told_number_);
+    told_id_.clear();
+  }
+  const auto& inform = mission_.inform();
+  if (!inform || inform->number == told_number_) return;
+  msg::Inform message;
+  message.agent(site_.agent);
+  message.id(bus::new_event_id("planner", clock_));
+  message.stamp_ns(to_stamp_ns(now));
+  message.source_id(inform->source_id);
+  message.reason(inform->reason);
+  spdlog::info("informing person: id={} source={} reason=\"{}\"", message.id(), inform->source_id, inform->reason);
+  informs_.send(message);
+  told_number_ = inform->number;
+  told_id_ = message.id();
 }
 
 std::string other_planner(const SiteConfig& site, bus::Bus& bus, Duration listen) {

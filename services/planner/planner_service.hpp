@@ -37,6 +37,7 @@ class PlannerService {
   void publish_status(Time now);
   void publish_belief(Time now);
   void publish_sources();
+  void tell_person(Time now);
 
   PlannerConfig config_;
   SiteConfig site_;
@@ -60,6 +61,7 @@ class PlannerService {
   Writer<msg::SearchBeliefPubSubType> belief_;
   Writer<msg::RewardSourcePubSubType> reward_source_;
   Writer<msg::SourceRelationPubSubType> source_relation_;
+  bus::EventSender<msg::Inform, msg::InformPubSubType> informs_;
   bus::HealthReporter health_;
 
   std::string session_code_;
@@ -71,7 +73,9 @@ class PlannerService {
   Time status_due_{};
   std::optional<MissionActivity> published_activity_;
   double computing_s_ = 0.0;
-  std::map<std::string, RewardSource> published_sources_;                        ///< by id
+  std::uint64_t told_number_ = 0;                          ///< of the newest message to the person
+  std::string told_id_;                                    ///< of its event, while they have not taken notice of it
+  std::map<std::string, RewardSource> published_sources_;  ///< by id
   std::map<std::pair<std::string, std::string>, Relation> published_relations_;  ///< by the ids they join
 };
 

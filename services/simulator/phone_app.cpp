@@ -44,6 +44,8 @@ std::vector<std::string> PhoneApp::receive(const std::string& text, Time now) {
     }
   } else if (const auto* plan = std::get_if<protocol::Plan>(message)) {
     show(*plan);
+  } else if (const auto* event = std::get_if<protocol::Event>(message)) {
+    if (!event->id.empty()) answers.push_back(protocol::write(protocol::ClientMessage{protocol::GotIt{event->id}}));
   } else if (const auto* ack = std::get_if<protocol::Ack>(message)) {
     while (!outbox_.empty() && outbox_.front().command.sequence <= ack->up_to) outbox_.pop_front();
     for (const auto& result : ack->results) {

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <numbers>
 #include <optional>
+#include <string>
 
 #include "services/bus/events.hpp"
 #include "services/common/stop_signal.hpp"
@@ -31,6 +32,7 @@ class FakeTeam {
         team_plan_(bus.writer(topic::kTeamPlan)),
         belief_(bus.writer(topic::kBelief)),
         ground_truth_(bus.writer(topic::kGroundTruth)),
+        informs_(bus, topic::kInform, from_seconds(60.0)),
         to_planner_(bus, topic::kHumanMessage, "planner"),
         to_tracker_(bus, topic::kHumanMessage, "tracker"),
         stops_(bus, topic::kStopRequest, "base"),
@@ -43,7 +45,10 @@ class FakeTeam {
   void step() {
     const Time now = bus_.clock().now();
     hear(now);
-    if (computing_since_ && now - *computing_since_ > from_seconds(1.5)) make_plan(now);
+    if (computing_since_ && now - *computing_since_ > from_seconds(1.5)) {
+      make_plan(now);
+      inform(now);
+    }
     if (moving()) travelled_m_ += kSpeedMps * to_seconds(now - last_step_);
     last_step_ = now;
     say(now);
@@ -71,6 +76,11 @@ class FakeTeam {
       std::cout << R"({"resume_request":)" << request.held_ms() << "}" << std::endl;
       stopped_ = false;
       resumes_.applied(request.id());
+    }
+    informs_.step();
+    if (!told_.empty() && informs_.outcome(told_).state == bus::EventOutcome::State::Applied) {
+      std::cout << R"({"got_it":true})" << std::endl;
+      told_.clear();
     }
     for (const auto& hint : hints_.take()) hints_.applied(hint.id());
     for (const auto& detection : detections_.take()) {
@@ -136,6 +146,17 @@ class FakeTeam {
     plan_.reason("both sides of the columns");
     plan_.paths({path("robot1", {point(2, 2), point(2, 4.2), point(13, 4.2), point(18, 7)}),
                  path("person1", {person_, point(person_.x(), 8.5), point(20, 8.5), point(20, 13)})});
+  }
+
+  void inform(Time now) {
+    msg::Inform inform;
+    inform.agent("person1");
+    told_ = bus::new_event_id("planner", bus_.clock());
+    inform.id(told_);
+    inform.stamp_ns(to_stamp_ns(now));
+    inform.source_id("where it may be");
+    inform.reason("The robot has searched 34 m² that you have not: look where the map is purple.");
+    informs_.send(inform);
   }
 
   void say(Time now) {
@@ -241,6 +262,8 @@ class FakeTeam {
   WriterOf<msg::TeamPlanPubSubType> team_plan_;
   WriterOf<msg::SearchBeliefPubSubType> belief_;
   WriterOf<msg::GroundTruthPubSubType> ground_truth_;
+  bus::EventSender<msg::Inform, msg::InformPubSubType> informs_;
+  std::string told_;  ///< what the person has not taken notice of
   ReceiverOf<msg::HumanMessagePubSubType> to_planner_;
   ReceiverOf<msg::HumanMessagePubSubType> to_tracker_;
   ReceiverOf<msg::StopRequestPubSubType> stops_;

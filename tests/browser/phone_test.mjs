@@ -88,6 +88,17 @@ async function replans(page, wheels) {
   await picture(page, "searching");
 }
 
+async function isTold(page, heard) {
+  const gotIt = page.locator(".toast.inform button");
+  await gotIt.waitFor();
+  check("it shows what the robot tells", (await page.locator(".toast.inform").innerText()).includes("34 m²"));
+  check("nobody has taken notice of it", heard().every((line) => line.got_it === undefined));
+  await picture(page, "told");
+  await gotIt.tap();
+  await until("the planner knows that the person has got it", () => heard().some((line) => line.got_it));
+  check("it is gone then", (await gotIt.count()) === 0);
+}
+
 async function stops(page, wheels) {
   await until("the robot drives ahead", () => wheels.newest().left_mps > 0.15 && wheels.newest().right_mps > 0.15, 30);
   const pressed = performance.now();
@@ -128,6 +139,7 @@ async function run() {
     await pairs(page, link);
     await placesMyPose(page, system.heard);
     await replans(page, wheels);
+    if (isFake) await isTold(page, system.heard);
     await stops(page, wheels);
     await goesOn(page, wheels);
     check(`the page complains about nothing: ${complaints.join("; ")}`, complaints.length === 0);

@@ -13,10 +13,13 @@ export const now = (): number => performance.timeOrigin + performance.now();
 
 const kUndoMs = 5000;
 const kToastMs = 4000;
+const kInformMs = 30_000;
 const kStaleMs = 3000;
 
 export type Screen = "pairing" | "no_link" | "refused" | "locked" | "unreachable" | "start" | "search" | "moved";
 export type Toast = { readonly text: string; readonly tone: "plain" | "bad"; readonly until: number };
+/** What the robot thinks the person should know, until they have got it. */
+export type Inform = { readonly id: string; readonly text: string; readonly until: number };
 /** A place the person has chosen and that was not refused. */
 export type Chosen = { readonly at: PointInMap; readonly settled: boolean; readonly sequence: number };
 
@@ -38,6 +41,7 @@ export const showsEverything = signal(true);
 export const showBelief = signal(true);
 export const tool = signal<PlaceKind>("my_pose");
 export const toast = signal<Toast | undefined>(undefined);
+export const inform = signal<Inform | undefined>(undefined);
 export const chosen = signal<{ readonly [Kind in PlaceKind]?: Chosen | undefined }>({});
 export const undo = signal<{ kind: "clear_my_goal" | "clear_robot_goal"; until: number } | undefined>(undefined);
 export const waiting = signal(0);
@@ -85,6 +89,7 @@ export function connect(): void {
 function tick(): void {
   clock.value = now();
   if (toast.value !== undefined && toast.value.until < clock.value) toast.value = undefined;
+  if (inform.value !== undefined && inform.value.until < clock.value) inform.value = undefined;
   if (undo.value !== undefined && undo.value.until < clock.value) undo.value = undefined;
 }
 
@@ -113,6 +118,8 @@ function hear(message: GatewayMessage): void {
       if (message.kind === "found") {
         const at = message.x !== undefined && message.y !== undefined ? pointInMap(message.x, message.y) : undefined;
         foundAt.value = { by: message.text, at };
+      } else if (message.kind === "inform" && message.id !== undefined) {
+        inform.value = { id: message.id, text: message.text, until: now() + kInformMs };
       } else {
         say(message.text, message.kind === "error" ? "bad" : "plain");
       }
@@ -188,6 +195,12 @@ export function undoGoal(): void {
   const gone = undo.value.kind === "clear_my_goal" ? "my_goal" : "robot_goal";
   chosen.value = { ...chosen.value, [gone]: undefined };
   undo.value = undefined;
+}
+
+/** The person has taken notice of what the robot told them; without a link it goes on being shown. */
+export function gotIt(): void {
+  if (inform.value === undefined) return;
+  if (connection?.send({ type: "got_it", id: inform.value.id }) === true) inform.value = undefined;
 }
 
 export function replan(): void {

@@ -39,6 +39,11 @@ struct PlannerConfig {
   double blocked_memory_s = 60.0;   ///< For how long [s].
   double goal_reach_m = 0.75;       ///< A goal is reached at this distance [m].
 
+  // What the person is told.
+  double inform_cost_s = 3.0;    ///< What does not find the object so much sooner is not worth their attention [s].
+  double inform_pause_s = 20.0;  ///< From one message to the next [s].
+  double inform_life_s = 30.0;   ///< So long they have to take notice of it [s].
+
   // The robot.
   double robot_speed_mps = 0.5;
   double robot_turn_rate_radps = 0.8;
@@ -83,6 +88,9 @@ struct PlannerConfig {
     visitor.field("blocked_radius_m", blocked_radius_m, Range{0.1, 5.0});
     visitor.field("blocked_memory_s", blocked_memory_s, Range{1.0, 3600.0});
     visitor.field("goal_reach_m", goal_reach_m, Range{0.1, 5.0});
+    visitor.field("inform_cost_s", inform_cost_s, Range{0.1, 1000.0});
+    visitor.field("inform_pause_s", inform_pause_s, Range{1.0, 3600.0});
+    visitor.field("inform_life_s", inform_life_s, Range{1.0, 600.0});
     visitor.field("robot_speed_mps", robot_speed_mps, Range{0.05, 2.0});
     visitor.field("robot_turn_rate_radps", robot_turn_rate_radps, Range{0.05, 5.0});
     visitor.field("robot_radius_m", robot_radius_m, Range{0.1, 2.0});

@@ -147,6 +147,42 @@ TEST_F(GatewayServiceTest, AppliesACommandThatComesTwiceOnce) {
   EXPECT_TRUE(stop_requests_[0].latched());
 }
 
+TEST_F(GatewayServiceTest, WhatThePersonIsToldIsAppliedOnlyWhenTheyHaveGotIt) {
+  bus::EventSender planner{bus_, topic::kInform};
+  msg::Inform inform;
+  inform.agent("person1");
+  inform.id(bus::new_event_id("planner", clock_));
+  inform.reason("The robot has searched 34 m² that you have not");
+  planner.send(inform);
+  msg::Inform strange = inform;
+  strange.agent("person2");
+  strange.id(bus::new_event_id("planner", clock_));
+  planner.send(strange);
+  const auto state = [&](const std::string& id) {
+    planner.step();
+    return planner.outcome(id).state;
+  };
+  ASSERT_TRUE(eventually([&] { return state(strange.id()) == bus::EventOutcome::State::Refused; }));
+
+  WebSocketClient observer{link("observer"), patient()};  // comes later, and may not answer for the person
+  const auto is_inform = [](const auto& event) { return event.kind == "inform"; };
+  const auto shown = hear<protocol::Event>(observer, is_inform);
+  ASSERT_TRUE(shown);
+  EXPECT_EQ(shown->text, inform.reason());
+  EXPECT_EQ(shown->id, inform.id());
+  const auto got_it = protocol::write(protocol::ClientMessage{protocol::GotIt{shown->id}});
+  const auto ping = protocol::write(protocol::ClientMessage{protocol::Ping{7.0}});
+  ASSERT_TRUE(observer.send(got_it));
+  ASSERT_TRUE(observer.send(ping));
+  ASSERT_TRUE(hear<protocol::Pong>(observer, [](const auto&) { return true; }));
+  EXPECT_EQ(state(inform.id()), bus::EventOutcome::State::Pending);
+
+  WebSocketClient phone{link("participant"), patient()};
+  ASSERT_TRUE(hear<protocol::Event>(phone, is_inform));
+  ASSERT_TRUE(phone.send(got_it));
+  EXPECT_TRUE(eventually([&] { return state(inform.id()) == bus::EventOutcome::State::Applied; }));
+}
+
 TEST_F(GatewayServiceTest, AnObserverIsToldWhyItMayNotAndMayStop) {
   WebSocketClient phone{link("observer"), patient()};
   ASSERT_TRUE(hear<protocol::Hello>(phone, [](const auto&) { return true; }));

@@ -57,7 +57,7 @@ class PlannerServiceTest : public ::testing::Test {
     person.agent(site.agent);
     person.robot(site.robot);
     person.stamp_ns(to_stamp_ns(clock.now()));
-    person.map_from_agent().x(3.0);
+    person.map_from_agent().x(person_x_m);
     person.map_from_agent().y(2.0);
     teammates.write(person);
   }
@@ -122,6 +122,7 @@ class PlannerServiceTest : public ::testing::Test {
     return id;
   }
 
+  double person_x_m = 3.0;
   test::DomainLease domains{1};
   SiteConfig site = site_in(domains[0]);
   ManualClock clock{from_stamp_ns(1'700'000'000'000'000'000)};
@@ -218,6 +219,41 @@ TEST_F(PlannerServiceTest, WhatIsDrawnIsPublishedUntilItIsRemoved) {
   EXPECT_TRUE(answered(behind.id(), false));
 }
 
+TEST_F(PlannerServiceTest, ThePersonIsToldOfAPlaceUntilTheyTakeNoticeOfIt) {
+  bus::EventReceiver gateway{others, topic::kInform, "gateway"};
+  ASSERT_TRUE(step_until([&] { return belief.newest().has_value(); }));
+  tell_session(msg::SESSION_RUNNING);
+  ASSERT_TRUE(plan_is(msg::PLAN_PROPOSED));
+  EXPECT_TRUE(answered(send(msg::HUMAN_MY_GOAL, 9.0, 7.0), true));  // they choose their way themselves
+  auto hole = edit_at<msg::SourceEdit>(8.0, 2.0);
+  hole.kind(msg::EDIT_AVOID);
+  hole.source_id("hole");
+  hole.strength("very");
+  hole.who("operator");
+  source_edits.send(hole);
+  ASSERT_TRUE(answered(hole.id(), true));
+  const auto walk = [&] { person_x_m = person_x_m > 6.0 ? 3.0 : person_x_m + 0.05; };  // towards it, and again
+  std::vector<msg::Inform> told;
+  ASSERT_TRUE(step_until([&] {
+    walk();
+    for (const auto& inform : gateway.take()) {
+      if (inform.source_id() == "hole") told.push_back(inform);
+    }
+    return !told.empty();
+  }));
+  EXPECT_EQ(told[0].agent(), site.agent);
+  EXPECT_TRUE(told[0].reason().starts_with("operator has drawn a place to keep out of, "));
+  gateway.applied(told[0].id());
+  for (int i = 0; i < 600; ++i) {  // 60 s, time enough to be told again
+    walk();
+    step_until([] { return true; });
+    for (const auto& inform : gateway.take()) {
+      EXPECT_NE(inform.source_id(), "hole");
+      gateway.applied(inform.id());
+    }
+  }
+}
+
 TEST_F(PlannerServiceTest, ADetectionEndsThePlanning) {
   ASSERT_TRUE(step_until([&] { return belief.newest().has_value(); }));
   tell_session(msg::SESSION_RUNNING);
@@ -266,6 +302,7 @@ TEST(PlannerMessages, AnEditKeepsItsPlaceAndWords) {
   message.source_id("s1");
   message.strength("very");
   message.targets({"robot1"});
+  message.who("operator");
   for (const auto& [x, y] : {std::pair{0.0, 0.0}, {0.0, 0.0}, {3.0, 0.0}, {0.0, 4.0}, {0.0, 0.0}}) {
     msg::Point2 corner;
     corner.x(x);
@@ -277,6 +314,7 @@ TEST(PlannerMessages, AnEditKeepsItsPlaceAndWords) {
   EXPECT_EQ(edit->kind, SourceEdit::Kind::Avoid);
   EXPECT_EQ(edit->source_id, "s1");
   EXPECT_EQ(edit->strength, "very");
+  EXPECT_EQ(edit->who, "operator");
   EXPECT_EQ(edit->targets, std::vector<std::string>{"robot1"});
   EXPECT_EQ(std::get<Polygon>(edit->region).corners.size(), 3U);  // a hand draws corners twice
   message.boundary_in_map().resize(1);
@@ -289,12 +327,14 @@ TEST(PlannerMessages, ABeliefEditNeedsAPlace) {
   msg::BeliefEdit message;
   message.kind(msg::BELIEF_SEARCHED);
   message.strength("roughly");
+  message.who("person1");
   EXPECT_FALSE(to_core(message));
   message.boundary_in_map().resize(1);
   const auto edit = to_core(message);
   ASSERT_TRUE(edit);
   EXPECT_EQ(edit->kind, BeliefEdit::Kind::Searched);
   EXPECT_EQ(edit->strength, "roughly");
+  EXPECT_EQ(edit->who, "person1");
 }
 
 TEST(PlannerMessages, APlanKeepsItsTimesAndPlaces) {

@@ -87,6 +87,16 @@ TEST(PhoneApp, ShowsThatAPlanIsComputedAndThatTheSearchIsOver) {
   EXPECT_TRUE(app.view().search_over);
 }
 
+TEST(PhoneApp, TakesNoticeOfWhatThePersonIsTold) {
+  PhoneApp app{"simulated-phone-1", "person1"};
+  const protocol::Event found{"found", "robot1", {}};
+  EXPECT_TRUE(app.receive(protocol::write(protocol::ServerMessage{found}), Time{}).empty());
+  const protocol::Event inform{"inform", "The robot has searched 9 m² that you have not", {}, "planner-1"};
+  const auto answers = app.receive(protocol::write(protocol::ServerMessage{inform}), Time{});
+  ASSERT_EQ(answers.size(), 1U);
+  EXPECT_EQ(answers[0], protocol::write(protocol::ClientMessage{protocol::GotIt{"planner-1"}}));
+}
+
 TEST(PhoneApp, ShowsThatTheLastReplanWasRefusedUntilTheNext) {
   PhoneApp app{"simulated-phone-1", "person1"};
   (void)app.receive(hello(), Time{});

@@ -122,6 +122,7 @@ const event = v.strictObject({
   text: text(0, 500),
   x: v.optional(coordinate),
   y: v.optional(coordinate),
+  id: v.optional(text(1, 128)),
 });
 
 const pong = v.strictObject({ type: v.literal("pong"), sent_at_ms: duration });
@@ -154,6 +155,7 @@ const clientMessage = v.union([
     threshold_ms: duration,
     obeyed_after_ms: v.optional(duration),
   }),
+  v.strictObject({ type: v.literal("got_it"), id: text(1, 128) }),
   v.strictObject({ type: v.literal("ping"), sent_at_ms: duration }),
 ]);
 export type ClientMessage = v.InferOutput<typeof clientMessage>;

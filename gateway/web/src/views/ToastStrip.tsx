@@ -13,11 +13,23 @@ export function ToastStrip() {
   const texts = store.t.value;
   const toast = store.toast.value;
   const found = store.foundAt.value;
+  const inform = store.inform.value;
   let text: string = texts[kHints[store.tool.value]];
   let tone = "hint";
   if (toast !== undefined) {
     text = toast.text;
     tone = toast.tone;
+  } else if (inform !== undefined) {
+    return (
+      <div class="toast plain inform" role="status">
+        <span>{inform.text}</span>
+        {store.hello.value?.role !== "observer" && (
+          <button type="button" onClick={store.gotIt}>
+            {texts.gotIt}
+          </button>
+        )}
+      </div>
+    );
   } else if (found !== undefined) {
     text = `★ ${texts.foundBy}`;
     tone = "good";

@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 /// Unseen cells in the order of mowing.
 struct Field {
   std::vector<int> cells;
-  std::vector<double> share_before;  ///< per search cell: how much of the work lies before it, [0, 1); -1 if seen
+  std::vector<double> share;  ///< per search cell: how much of the work is done in its middle, (0, 1); -1 if seen
 };
 
 double lane_width_m(const PreparedProblem& problem) {
@@ -25,21 +25,21 @@ double lane_width_m(const PreparedProblem& problem) {
   return width_m;
 }
 
-Field field_of(const PreparedProblem& problem, const std::vector<double>& mass) {
+Field field_of(const PreparedProblem& problem, const TeamWalk& walk) {
   const SearchArea& area = problem.problem().world->area();
   Field field;
   std::vector<int> unseen;
   std::vector<Vector2d> points;
   for (int cell = 0; cell < area.size(); ++cell) {
-    if (mass[static_cast<std::size_t>(cell)] <= 0.0) continue;
+    if (!walk.counts(walk.mass()[static_cast<std::size_t>(cell)])) continue;
     unseen.push_back(cell);
     points.push_back(area.point(cell));
   }
-  field.share_before.assign(mass.size(), -1.0);
+  field.share.assign(walk.mass().size(), -1.0);
   for (const int index : mowing_order(points, lane_width_m(problem))) {
     const int cell = unseen[static_cast<std::size_t>(index)];
-    field.share_before[static_cast<std::size_t>(cell)] =
-        static_cast<double>(field.cells.size()) / static_cast<double>(unseen.size());
+    field.share[static_cast<std::size_t>(cell)] =
+        (static_cast<double>(field.cells.size()) + 0.5) / static_cast<double>(unseen.size());
     field.cells.push_back(cell);
   }
   return field;
@@ -51,7 +51,8 @@ std::vector<double> piece_starts(const PreparedProblem& problem, const std::vect
   for (const int m : members) {
     const PreparedProblem::Member& who = problem.members()[static_cast<std::size_t>(m)];
     const Searcher& searcher = who.actions->searcher();
-    starts.push_back(starts.back() + (who.start < 0 ? 0.0 : searcher.speed_mps * searcher.view_max_m));
+    const double time_s = who.start < 0 ? 0.0 : std::max(0.0, who.end_s - who.start_s);
+    starts.push_back(starts.back() + time_s * searcher.speed_mps * searcher.view_max_m);
   }
   const double sum = starts.back();
   for (double& start : starts) start = sum > 0.0 ? start / sum : 1.0;
@@ -98,9 +99,9 @@ std::vector<int> lane_of(const PreparedProblem& problem, const Field& field, int
     double share = -1.0;
     for (const int cell : who.actions->panorama(lookout)) {
       const double distance_m = (area.point(cell) - who.actions->place(lookout)).norm();
-      if (field.share_before[static_cast<std::size_t>(cell)] < 0.0 || distance_m >= nearest_m) continue;
+      if (field.share[static_cast<std::size_t>(cell)] < 0.0 || distance_m >= nearest_m) continue;
       nearest_m = distance_m;
-      share = field.share_before[static_cast<std::size_t>(cell)];
+      share = field.share[static_cast<std::size_t>(cell)];
     }
     if (share >= from_share && share < to_share) order.emplace_back(share, lookout);
   }
@@ -139,7 +140,7 @@ std::vector<int> mowing_order(const std::vector<Vector2d>& points, double lane_w
 
 Routes lawnmower_routes(const PreparedProblem& problem) {
   TeamWalk walk(problem, 1);
-  const Field field = field_of(problem, walk.mass());
+  const Field field = field_of(problem, walk);
   if (field.cells.empty()) return walk.routes();
   const std::vector<int> order = nearest_order(problem, field);
   const std::vector<double> starts = piece_starts(problem, order);
@@ -151,7 +152,7 @@ Routes lawnmower_routes(const PreparedProblem& problem) {
   for (int member = walk.next_member(); member >= 0; member = walk.next_member()) {
     const auto m = static_cast<std::size_t>(member);
     const auto is_worth_going = [&](int lookout) {
-      return walk.mass_around(member, lookout) > 0.0 && walk.option(member, lookout).time_s > 0.0;
+      return walk.counts(walk.mass_around(member, lookout)) && walk.option(member, lookout).time_s > 0.0;
     };
     while (next[m] < ahead[m].size() && !is_worth_going(ahead[m][next[m]])) ++next[m];
     if (const auto& goal = problem.members()[m].goal) {

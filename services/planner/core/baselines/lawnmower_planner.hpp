@@ -4,8 +4,8 @@
 
 namespace tandem {
 
-/// Cuts what is unseen into pieces, one a member, as large as it can sweep in equal time, and lets each mow its piece
-/// lane by lane, from the end it is nearer to.
+/// Cuts what is unseen into pieces, one a member, as large as it can sweep in the time it has, and lets each mow its
+/// piece lane by lane, from the end it is nearer to.
 [[nodiscard]] Routes lawnmower_routes(const PreparedProblem& problem);
 
 /// Mows.

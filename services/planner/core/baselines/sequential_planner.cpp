@@ -14,10 +14,11 @@ void SequentialPlanner::begin(const SearchProblem& problem, Rng rng) {
   order_.resize(problem_->members().size());
   std::iota(order_.begin(), order_.end(), 0);
   if (options_.only_fastest) {
-    const auto speed_mps = [&](int m) {
-      return problem_->members()[static_cast<std::size_t>(m)].actions->searcher().speed_mps;
+    const auto reach_m = [&](int m) {
+      const PreparedProblem::Member& who = problem_->members()[static_cast<std::size_t>(m)];
+      return who.actions->searcher().speed_mps * (who.end_s - who.start_s);
     };
-    order_ = {*std::ranges::max_element(order_, {}, speed_mps)};
+    order_ = {*std::ranges::max_element(order_, {}, reach_m)};
   }
   best_.assign(problem_->members().size(), {});
   best_s_ = std::numeric_limits<double>::infinity();

@@ -10,7 +10,7 @@ namespace tandem {
 struct SequentialOptions {
   RouteSearchOptions search;
   int tries_at_first = 16;    ///< routes tried for each member in the first round, twice as many in each that follows
-  bool only_fastest = false;  ///< the fastest member alone; the others stay
+  bool only_fastest = false;  ///< the member that gets farthest alone; the others stay
 };
 
 /// Sequential allocation (Hollinger et al., IJRR 2009): one member after the other, in the order given, plans its whole

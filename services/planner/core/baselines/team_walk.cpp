@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 namespace tandem {
@@ -10,10 +11,13 @@ namespace {
 
 constexpr double kDetourFactor = 1.5;
 constexpr double kDetour_m = 4.0;
-constexpr double kNothing = 1e-12;  ///< mass
+constexpr double kNothing = 1e-12;  ///< share of all mass
 
-double detected(const Sightings& seen, std::size_t i, double rate_per_s) {
-  return std::isinf(rate_per_s) ? 1.0 : -std::expm1(-rate_per_s * (seen.leave_s[i] - seen.enter_s[i]));
+/// By a look at `seen` until `until_s` of it.
+double detected(const Sightings& seen, std::size_t i, double rate_per_s, double until_s) {
+  if (seen.enter_s[i] >= until_s) return 0.0;
+  return std::isinf(rate_per_s) ? 1.0
+                                : -std::expm1(-rate_per_s * (std::min(seen.leave_s[i], until_s) - seen.enter_s[i]));
 }
 
 }  // namespace
@@ -26,7 +30,8 @@ TeamWalk::TeamWalk(const PreparedProblem& problem, int most_options)
   for (const auto& of_object : problem.problem().masses) {
     std::ranges::transform(mass_, of_object, mass_.begin(), std::plus{});
   }
-  for (const Look& look : problem.fixed_looks()) take_in(*look.seen, look.rate_per_s);
+  nothing_ = kNothing * std::accumulate(mass_.begin(), mass_.end(), 0.0);
+  for (const Look& look : problem.fixed_looks()) take_in(*look.seen, look.rate_per_s, look.until_s);
   for (const auto& member : problem.members()) {
     Progress progress{member.start, member.start_s, member.heading_rad};
     if (member.goal && member.actions->leg(member.start, *member.goal).possible()) {
@@ -60,11 +65,13 @@ WalkOption TeamWalk::option(int member, int place) const {
   const Leg& leg = actions.leg(progress.place, place);
   WalkOption option{place, 0.0, 0.0};
   if (!leg.possible()) return option;
+  const double turn_s = turning_time_s(actions.searcher(), progress.heading_rad, leg.initial_heading_rad);
+  const double until_s = member_at(member).end_s - progress.busy_until_s - turn_s;
   const double rate_per_s = actions.searcher().detection_rate_per_s;
   for (std::size_t i = 0; i < leg.seen.size(); ++i) {
-    option.gain += mass_[static_cast<std::size_t>(leg.seen.cells[i])] * detected(leg.seen, i, rate_per_s);
+    option.gain += mass_[static_cast<std::size_t>(leg.seen.cells[i])] * detected(leg.seen, i, rate_per_s, until_s);
   }
-  option.time_s = leg.duration_s + turning_time_s(actions.searcher(), progress.heading_rad, leg.initial_heading_rad);
+  option.time_s = leg.duration_s + turn_s;
   return option;
 }
 
@@ -85,9 +92,9 @@ std::vector<WalkOption> TeamWalk::options(int member) const {
   const auto offer = [&](bool shows_new_at_its_end) {
     for (const auto& [distance_m, lookout] : near) {
       if (static_cast<int>(options.size()) >= most_options_) break;
-      if ((mass_around(member, lookout) > kNothing) != shows_new_at_its_end) continue;
+      if (counts(mass_around(member, lookout)) != shows_new_at_its_end) continue;
       const WalkOption offered = option(member, lookout);
-      if (offered.gain > kNothing && offered.time_s > 0.0) options.push_back(offered);
+      if (counts(offered.gain) && offered.time_s > 0.0) options.push_back(offered);
     }
   };
   offer(true);
@@ -96,9 +103,9 @@ std::vector<WalkOption> TeamWalk::options(int member) const {
   return options;
 }
 
-void TeamWalk::take_in(const Sightings& seen, double rate_per_s) {
+void TeamWalk::take_in(const Sightings& seen, double rate_per_s, double until_s) {
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    mass_[static_cast<std::size_t>(seen.cells[i])] *= 1.0 - detected(seen, i, rate_per_s);
+    mass_[static_cast<std::size_t>(seen.cells[i])] *= 1.0 - detected(seen, i, rate_per_s, until_s);
   }
 }
 
@@ -110,9 +117,9 @@ void TeamWalk::go(int member, int place) {
     stay(member);
     return;
   }
-  progress.busy_until_s +=
-      leg.duration_s + turning_time_s(who.actions->searcher(), progress.heading_rad, leg.initial_heading_rad);
-  take_in(leg.seen, who.actions->searcher().detection_rate_per_s);
+  progress.busy_until_s += turning_time_s(who.actions->searcher(), progress.heading_rad, leg.initial_heading_rad);
+  take_in(leg.seen, who.actions->searcher().detection_rate_per_s, who.end_s - progress.busy_until_s);
+  progress.busy_until_s += leg.duration_s;
   progress.detour_left_m -= who.actions->distance_m(progress.place, place);
   progress.heading_rad = leg.final_heading_rad;
   progress.place = place;

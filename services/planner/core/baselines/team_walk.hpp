@@ -9,7 +9,7 @@ namespace tandem {
 /// A place a member could go to next.
 struct WalkOption {
   int place = -1;
-  double gain = 0.0;    ///< mass it shows on the way there that nobody has shown yet
+  double gain = 0.0;    ///< mass it shows on the way there, while it can go on, that nobody has shown yet
   double time_s = 0.0;  ///< until it is there, the turn at the beginning included
 };
 
@@ -38,6 +38,8 @@ class TeamWalk {
   [[nodiscard]] const std::vector<double>& mass() const { return mass_; }
   /// What a lookout of `member` shows to all sides and is new [mass].
   [[nodiscard]] double mass_around(int member, int lookout) const;
+  /// Whether so much mass is worth a look: more than rounding leaves, by the mass that there was in all.
+  [[nodiscard]] bool counts(double mass) const { return mass > nothing_; }
   [[nodiscard]] int place_of(int member) const { return progress_[static_cast<std::size_t>(member)].place; }
 
  private:
@@ -51,11 +53,12 @@ class TeamWalk {
   [[nodiscard]] const PreparedProblem::Member& member_at(int member) const {
     return problem_->members()[static_cast<std::size_t>(member)];
   }
-  void take_in(const Sightings& seen, double rate_per_s);
+  void take_in(const Sightings& seen, double rate_per_s, double until_s);
 
   const PreparedProblem* problem_;
   int most_options_;
   std::vector<double> mass_;
+  double nothing_ = 0.0;  ///< mass
   std::vector<Progress> progress_;
   Routes routes_;
 };

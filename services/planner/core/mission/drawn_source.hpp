@@ -18,6 +18,7 @@ struct SourceEdit {
   PlanarShape region;                ///< not of Remove
   std::string strength;              ///< a graded word of kStrengthWords; empty: "quite"
   std::vector<std::string> targets;  ///< whom it concerns; empty: all
+  std::string who{};                 ///< draws it
 };
 
 /// Why nothing can be made of the edit by a team of `agents`, for people; none if something can.

@@ -18,6 +18,7 @@ std::optional<std::string> SearchMission::edit_belief(const BeliefEdit& edit) {
   if (!running_ || !belief_) return "the search has not begun";
   if (activity_ == MissionActivity::Finished) return "the search is over";
   if (auto refusal = tandem::edit_belief(*belief_, world_->area(), edit, kPerson)) return refusal;
+  if (edit.who == agents_[kPerson]) knowledge_->says(edit, world_->area(), kPerson);
   person_said_where_ = true;
   begin_computing_anew();
   ++world_version_;
@@ -46,6 +47,7 @@ std::optional<std::string> SearchMission::edit_source(const SourceEdit& edit, Ti
   }
   auto refusal = edit.kind == SourceEdit::Kind::GoTo ? go_to(edit, now) : keep_out(edit);
   if (refusal) return refusal;
+  if (edit.who == agents_[kPerson]) knowledge_->learns(edit.source_id);
   if (edit.kind == SourceEdit::Kind::Avoid && plan_enters(edit, now)) acceptance_.withdraw();
   person_drew_ = true;
   begin_computing_anew();
@@ -163,6 +165,8 @@ std::optional<std::string> SearchMission::remove_source(const std::string& id) {
   if (found == drawn_.end()) return "nothing of this id is drawn";
   const SourceEdit edit = *found;
   drawn_.erase(found);
+  knowledge_->forgets(id);
+  informs_.forget(id);
   begin_computing_anew();
   person_drew_ = true;
   ++world_version_;

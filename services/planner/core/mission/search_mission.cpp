@@ -21,7 +21,8 @@ SearchMission::SearchMission(const PlannerConfig& config, std::string robot, std
       agents_{std::move(robot), std::move(person)},
       watches_{Watch{kRobot, robot_of(config, agents_[kRobot])}, Watch{kPerson, person_of(config, agents_[kPerson])}},
       acceptance_(from_seconds(config.acceptance_delay_s)),
-      habits_(config.person_trust_s) {}
+      habits_(config.person_trust_s),
+      informs_({config.inform_cost_s, config.inform_pause_s, config.inform_life_s}) {}
 
 SearchMission::~SearchMission() = default;
 
@@ -32,6 +33,7 @@ void SearchMission::set_map(OccupancyGrid map) {
   world_.reset();
   drawn_.clear();
   belief_.reset();
+  knowledge_.reset();
   plan_.reset();
   acceptance_.clear();
   ++world_version_;
@@ -71,6 +73,7 @@ void SearchMission::start_search() {
   failure_.clear();
   if (world_ && seen_[kRobot]) {
     belief_.emplace(uniform_prior(world_->area(), seen_[kRobot]->map_from_agent.position(), config_.excluded_radius_m));
+    begin_knowledge();
   }
 }
 
@@ -78,6 +81,7 @@ void SearchMission::robot_at(Time stamp, const Pose2& map_from_robot) {
   seen_[kRobot] = Seen{stamp, map_from_robot, 0.0};
   if (running_ && belief_ && activity_ != MissionActivity::Finished) {
     watches_[kRobot].look(stamp, map_from_robot, world_->observability(0), *belief_);
+    knowledge_->robot_looks(stamp, map_from_robot, world_->observability(0));
   }
 }
 
@@ -86,8 +90,10 @@ void SearchMission::person_at(Time stamp, const Pose2& map_from_person, double a
   if (age_s < config_.person_credit_s) habits_.seen(stamp, map_from_person.position());
   if (age_s >= config_.person_credit_s) {
     watches_[kPerson].pause();
+    if (knowledge_) knowledge_->person_is_lost();
   } else if (running_ && belief_ && activity_ != MissionActivity::Finished) {
     watches_[kPerson].look(stamp, map_from_person, world_->observability(0), *belief_);
+    knowledge_->person_looks(stamp, map_from_person, world_->observability(0));
   }
 }
 
@@ -163,7 +169,10 @@ bool SearchMission::step(Time now, const std::function<bool()>& slice_over) {
     const bool failed_just_now = activity_ == MissionActivity::Failed && to_seconds(now - failed_) < 2.0;
     if (person_may_come || failed_just_now) return false;
     const auto reason = replan_reason(situation(now), config_);
-    if (!reason) return false;
+    if (!reason) {
+      consider_informing(now);
+      return false;
+    }
     begin_plan(now, *reason);
     if (!computation_) return false;
   }
@@ -203,6 +212,7 @@ void SearchMission::prepare() {
   }
   world_ = std::move(world);
   belief_.emplace(uniform_prior(world_->area(), start, config_.excluded_radius_m));
+  begin_knowledge();
 }
 
 void SearchMission::fail(const std::string& why) {

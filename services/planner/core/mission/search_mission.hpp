@@ -9,6 +9,8 @@
 
 #include "services/common/time.hpp"
 #include "services/planner/core/acceptance/plan_acceptance.hpp"
+#include "services/planner/core/inform/inform_schedule.hpp"
+#include "services/planner/core/inform/person_knowledge.hpp"
 #include "services/planner/core/mission/drawn_source.hpp"
 #include "services/planner/core/mission/person_habits.hpp"
 #include "services/planner/core/mission/replan_reason.hpp"
@@ -55,6 +57,13 @@ struct MissionPlan {
   std::string explanation;     ///< why this one, for people
 };
 
+/// What the person is to be told.
+struct PersonInform {
+  std::uint64_t number = 0;  ///< grows with each message
+  std::string source_id;
+  std::string reason;  ///< for them
+};
+
 /// What the planner is doing.
 enum class MissionActivity { Idle, Computing, Failed, Finished };
 
@@ -87,6 +96,11 @@ class SearchMission {
   bool step(Time now, const std::function<bool()>& slice_over);
   /// Ends computing with the best plan so far; false if no plan is being computed.
   bool conclude(Time now);
+
+  /// The newest message to the person; none yet in this search.
+  [[nodiscard]] const std::optional<PersonInform>& inform() const { return inform_; }
+  /// They have taken notice of the message of this number.
+  void inform_heard(std::uint64_t number);
 
   [[nodiscard]] MissionActivity activity() const { return activity_; }
   [[nodiscard]] double progress() const;  ///< of computing, [0, 1]
@@ -142,6 +156,10 @@ class SearchMission {
   void propose(MissionPlan plan, double duration_s, Time now);
   [[nodiscard]] std::string explanation(const JointPlan& joint, const MissionPlan& plan) const;
   void follow_person(Time now);
+  void begin_knowledge();
+  void consider_informing(Time now);
+  [[nodiscard]] InformOption belief_option(Time now, double own_way);
+  [[nodiscard]] std::optional<InformOption> source_option(const SourceEdit& drawn, double own_way) const;
   void drop_reached_goals(Time now);
   [[nodiscard]] double elapsed_s(Time now) const;
 
@@ -178,6 +196,11 @@ class SearchMission {
   Eigen::Vector2d blocked_at_ = Eigen::Vector2d::Zero();
   bool robot_finished_ = false;
   PersonHabits habits_;
+  std::optional<PersonKnowledge> knowledge_;  ///< of the person, as soon as there is a belief
+  InformSchedule informs_;
+  std::optional<PersonInform> inform_;
+  std::uint64_t inform_number_ = 0;
+  Time inform_due_{};
   std::vector<SourceEdit> drawn_;
   std::vector<std::pair<Time, BlockedDisc>> blocked_;
   std::vector<std::vector<TimedPath>> rejected_;

@@ -64,11 +64,7 @@ NegativeExpectedTime::NegativeExpectedTime(SearchObjective objective, std::vecto
       rates_per_s_(std::move(rates_per_s)),
       looks_(std::move(fixed)),
       fixed_(looks_.size()),
-      rest_sweeps_(rest_sweeps) {
-  for (const auto& mass : objective_.masses()) {
-    mass_left_ += std::accumulate(mass.begin(), mass.end(), 0.0) / static_cast<double>(objective_.masses().size());
-  }
-}
+      rest_sweeps_(rest_sweeps) {}
 
 double NegativeExpectedTime::of(const std::array<int, kMostAgents>& last_actions) {
   looks_.resize(fixed_);
@@ -85,7 +81,7 @@ double NegativeExpectedTime::of(const std::array<int, kMostAgents>& last_actions
   const Forecast forecast = objective_.forecast(looks_);
   const double left = 1.0 - forecast.probability_found;
   const double on_the_branch_s = forecast.expected_time_s - left * (objective_.horizon_s() + objective_.tail_s());
-  const double sweep_of_the_rest_s = objective_.tail_s() * mass_left_ * left;
+  const double sweep_of_the_rest_s = objective_.tail_s() * left;
   return -(on_the_branch_s + left * (ends_s + rest_sweeps_ * sweep_of_the_rest_s));
 }
 

@@ -33,8 +33,8 @@ class DetectedMass {
 /// The objective of the corrected planner (digest A1, A2): minus the expected time to find [s].
 ///
 /// A branch ends long before the search does. What it leaves is taken to be found from then on, on average after
-/// `rest_sweeps` sweeps of what is left then, so that branches of all lengths are compared over the same search. Half a
-/// sweep would be needed if nothing were seen twice; in scattered leftovers it is more.
+/// `rest_sweeps` sweeps of as large a share of the area, so that branches of all lengths are compared over the same
+/// search. Half a sweep would be needed if nothing were seen twice; in scattered leftovers it is more.
 class NegativeExpectedTime {
  public:
   /// `starts_s`: when each agent's first action begins. The trees and what `fixed` points at outlive it.
@@ -52,7 +52,6 @@ class NegativeExpectedTime {
   std::vector<Look> looks_;
   std::size_t fixed_;
   double rest_sweeps_;
-  double mass_left_ = 0.0;  ///< now, mean of the objects
 };
 
 }  // namespace tandem

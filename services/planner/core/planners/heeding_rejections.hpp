@@ -9,8 +9,9 @@ namespace tandem {
 /// Any planner, kept from proposing a plan again that a person rejected (digest A6).
 ///
 /// While nothing is rejected it is that planner. If its first plan is like a rejected one, a member is committed to
-/// another first step, the next best by new mass for the time, and the planner plans the rest; of such plans the best
-/// one that is not like any rejected one is improved on. Only if there is none at all, a rejected plan comes out.
+/// another first step, the best by new mass for the time of those that lead elsewhere, and the planner plans the rest;
+/// the better one of the members' plans is improved on. Only if all first steps of all members lead to rejected plans,
+/// a rejected plan comes out.
 class HeedingRejections final : public Planner {
  public:
   explicit HeedingRejections(std::unique_ptr<Planner> planner) : planner_(std::move(planner)) {}
@@ -18,7 +19,7 @@ class HeedingRejections final : public Planner {
   void begin(const SearchProblem& problem, Rng rng) override;
   void run(int rollouts, const std::function<bool()>& stop) override;
   [[nodiscard]] int rollouts() const override { return planner_->rollouts(); }
-  [[nodiscard]] JointPlan best() override { return problem_.rejected.empty() ? planner_->best() : best_; }
+  [[nodiscard]] JointPlan best() override;
   [[nodiscard]] bool shares_looks() const override { return planner_->shares_looks(); }
   [[nodiscard]] bool replans_under_way() const override { return planner_->replans_under_way(); }
 

@@ -20,6 +20,7 @@ struct BeliefEdit {
   PlanarShape region;
   /// A graded word of kStrengthWords; how they searched: "roughly" or "well". Empty: "quite", or "well".
   std::string strength;
+  std::string who{};  ///< says so
 };
 
 /// By how much a hint of this strength [1/s, kStrengthWords] makes a region likelier, or the rest of the map: "a bit"

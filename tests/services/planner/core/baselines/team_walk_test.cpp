@@ -35,6 +35,18 @@ TEST(TeamWalk, OptionsAreTheNearestThatShowSomethingNewAndWhatOneSeesIsNotNewToT
   EXPECT_DOUBLE_EQ(walk.options(1).front().gain, 0.8);
 }
 
+TEST(TeamWalk, HowLittleIsNothingIsMeasuredByAllTheMassThereIs) {
+  SearchCase search = corridor(1);
+  place_mass(search, 2.75, 0.2e-13, 10.25, 0.8e-13);
+  const PreparedProblem little(search.problem);
+  EXPECT_FALSE(TeamWalk(little, 1).options(0).empty());
+  place_mass(search, 2.75, 1e-10, 10.25, 1e10);  // the nearer one is rounding
+  const PreparedProblem much(search.problem);
+  const TeamWalk walk(much, 1);
+  ASSERT_EQ(walk.options(0).size(), 1U);
+  EXPECT_DOUBLE_EQ(walk.options(0).front().gain, 1e10);
+}
+
 TEST(TeamWalk, TheWayToAFixedGoalMayBeADetourButNotAnyDetour) {
   SearchCase search = corridor(1);
   search.problem.members[0].goal = Eigen::Vector2d{5.75, 1.0};  // 1 m away: at most 5.5 m may be walked

@@ -60,6 +60,33 @@ TEST(HeedingRejections, TakesTheSecondChoiceAtTheFirstStep) {
   EXPECT_DOUBLE_EQ(second.forecast.probability_found, 1.0);  // the greater part is looked for afterwards
 }
 
+/// Greedy, and how often it has begun.
+class CountedGreedy final : public Planner {
+ public:
+  explicit CountedGreedy(int& begun) : begun_(begun) {}
+  void begin(const SearchProblem& problem, Rng rng) override {
+    ++begun_;
+    greedy_.begin(problem, rng);
+  }
+  void run(int rollouts, const std::function<bool()>& stop) override { greedy_.run(rollouts, stop); }
+  [[nodiscard]] int rollouts() const override { return greedy_.rollouts(); }
+  [[nodiscard]] JointPlan best() override { return greedy_.best(); }
+
+ private:
+  int& begun_;
+  GreedyPlanner greedy_{GreedyOptions{}};
+};
+
+TEST(HeedingRejections, BeginsNoOftenerThanItMust) {
+  SearchCase search(empty_room(12, 10), {6, 5}, {test_robot(), test_person()});
+  int begun = 0;
+  HeedingRejections planner(std::make_unique<CountedGreedy>(begun));
+  search.problem.rejected.push_back(plan_with(planner, search.problem, 0, 1).paths);
+  EXPECT_EQ(begun, 1);
+  (void)plan_with(planner, search.problem, 0, 1);
+  EXPECT_LE(begun, 1 + 1 + 2 + 1);  // as it is, with a step of each member, with the better one again
+}
+
 TEST(HeedingRejections, WhereThereIsOnlyOneWayTheRejectedPlanComesOut) {
   SearchCase search(empty_room(2, 1), {1.5, 1.0}, {test_person()});
   HeedingRejections planner(std::make_unique<GreedyPlanner>(GreedyOptions{}));

@@ -138,38 +138,55 @@ TEST(SearchObjective, TheSurvivalIntegratesToTheExpectedTime) {
   EXPECT_NEAR(1.0 - survival.back(), forecast.probability_found, 1e-12);
 }
 
-TEST(SearchObjective, T22TheExactExpectedTimeIsTheMeanOfManySearches) {
-  Rng rng{5};
-  constexpr double kHorizon_s = 15.0;
-  constexpr double kTail_s = 20.0;
-  const RandomLooks random(rng);
-  const std::vector<double> mass{0.1, 0.2, 0.1, 0.3, 0.2, 0.1};
-  const std::vector<Look> looks{{&random.both[0], 0.0, 0.5}, {&random.both[1], 0.0, 1.0}};
-  SearchObjective objective({mass}, kHorizon_s, kTail_s);
-  const Forecast exact = objective.forecast(looks);
+/// The mean of so many searches, and its standard deviation.
+struct PlayedSearches {
+  double mean_s = 0.0;
+  double sigma_s = 0.0;
+};
 
+/// The object lies somewhere by chance, and each look at its cell detects it at a moment of its own, or not at all.
+PlayedSearches played(const std::vector<double>& mass, const std::vector<Look>& looks, double horizon_s, double tail_s,
+                      Rng& rng) {
   double sum_s = 0.0;
   double sum2 = 0.0;
   constexpr int kSearches = 100'000;
   for (int n = 0; n < kSearches; ++n) {
     int cell = 0;
-    for (double u = rng.uniform(); cell < 5 && u >= mass[static_cast<std::size_t>(cell)]; ++cell) {
+    for (double u = rng.uniform(); cell + 1 < std::ssize(mass) && u >= mass[static_cast<std::size_t>(cell)]; ++cell) {
       u -= mass[static_cast<std::size_t>(cell)];
     }
-    double found_s = kHorizon_s + kTail_s;
-    for (const Look& look : looks) {  // each look at the cell detects at a moment of its own, or not at all
+    double found_s = horizon_s + tail_s;
+    for (const Look& look : looks) {
       for (std::size_t i = 0; i < look.seen->size(); ++i) {
         if (look.seen->cells[i] != cell) continue;
-        const double detected_s = look.seen->enter_s[i] - std::log(1.0 - rng.uniform()) / look.rate_per_s;
-        if (detected_s <= std::min(look.seen->leave_s[i], kHorizon_s)) found_s = std::min(found_s, detected_s);
+        const double after_s = -std::log(1.0 - rng.uniform()) / look.rate_per_s;
+        const double detected_s = look.start_s + look.seen->enter_s[i] + after_s;
+        const double end_s = std::min({look.start_s + look.seen->leave_s[i], look.until_s, horizon_s});
+        if (detected_s <= end_s) found_s = std::min(found_s, detected_s);
       }
     }
     sum_s += found_s;
     sum2 += found_s * found_s;
   }
   const double mean_s = sum_s / kSearches;
-  const double sigma_s = std::sqrt((sum2 / kSearches - mean_s * mean_s) / kSearches);
-  EXPECT_NEAR(exact.expected_time_s, mean_s, 4.0 * sigma_s);
+  return {mean_s, std::sqrt((sum2 / kSearches - mean_s * mean_s) / kSearches)};
+}
+
+TEST(SearchObjective, T22TheExactExpectedTimeIsTheMeanOfManySearches) {
+  // How well the two who look detect: hardly, well, one much better than the other, and at first sight both, one, and
+  // the one who comes later.
+  constexpr std::array<std::array<double, 2>, 6> kModels{
+      {{0.05, 0.05}, {0.5, 1.0}, {5.0, 0.2}, {kFirstSight, kFirstSight}, {kFirstSight, 0.5}, {0.3, kFirstSight}}};
+  const std::vector<double> mass{0.1, 0.2, 0.1, 0.3, 0.2, 0.1};
+  Rng rng{5};
+  for (const auto& rates_per_s : kModels) {
+    const RandomLooks random(rng);
+    const std::vector<Look> looks{{&random.both[0], 0.0, rates_per_s[0]}, {&random.both[1], 1.5, rates_per_s[1], 9.0}};
+    SearchObjective objective({mass}, 15.0, 20.0);
+    const PlayedSearches searches = played(mass, looks, 15.0, 20.0, rng);
+    EXPECT_NEAR(objective.forecast(looks).expected_time_s, searches.mean_s, 4.0 * searches.sigma_s)
+        << "rates " << rates_per_s[0] << " and " << rates_per_s[1];
+  }
 }
 
 }  // namespace
