@@ -3,6 +3,7 @@
 #include <netinet/tcp.h>
 
 #include <atomic>
+#include <condition_variable>
 #include <map>
 #include <mutex>
 #include <stdexcept>
@@ -51,6 +52,11 @@ class HttpsServer::Server {
     const std::lock_guard lock{mutex_};
     unread_.clear();
     return std::exchange(events_, {});
+  }
+
+  bool wait(std::chrono::milliseconds timeout) {
+    std::unique_lock lock{mutex_};
+    return arrived_.wait_for(lock, timeout, [this] { return !events_.empty(); });
   }
 
   template <typename Action>
@@ -235,6 +241,7 @@ class HttpsServer::Server {
       return false;
     }
     events_.push_back(std::move(event));
+    arrived_.notify_all();
     return true;
   }
 
@@ -249,7 +256,8 @@ class HttpsServer::Server {
   std::mutex mutex_;  ///< guards the next two
   std::vector<SocketEvent> events_;
   std::map<SocketId, std::size_t> unread_;
-  asio::io_context io_{1};  ///< what follows lives in it
+  std::condition_variable arrived_;  ///< an event
+  asio::io_context io_{1};           ///< what follows lives in it
   ssl::context tls_;
   tcp::acceptor acceptor_;
   std::map<SocketId, std::shared_ptr<OpenSocket>> sockets_;  ///< shared by the two coroutines of a socket
@@ -268,6 +276,10 @@ std::uint16_t HttpsServer::port() const {
 
 std::vector<SocketEvent> HttpsServer::take() {
   return server_->take();
+}
+
+bool HttpsServer::wait(std::chrono::milliseconds timeout) {
+  return server_->wait(timeout);
 }
 
 void HttpsServer::send(SocketId socket, std::string text) {

@@ -103,6 +103,8 @@ class HttpsServer {
   [[nodiscard]] std::uint16_t port() const;
   /// What happened on the sockets since the last call, in order.
   [[nodiscard]] std::vector<SocketEvent> take();
+  /// Sleeps until take() has something to give, or `timeout` has passed.
+  bool wait(std::chrono::milliseconds timeout);
 
   /// A message that must arrive, in order with the others.
   void send(SocketId socket, std::string text);

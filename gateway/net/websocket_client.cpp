@@ -4,6 +4,7 @@
 #include <openssl/x509.h>
 
 #include <array>
+#include <condition_variable>
 #include <deque>
 #include <mutex>
 #include <optional>
@@ -63,6 +64,12 @@ class WebSocketClient::Client {
   std::uint64_t connections() const {
     const std::lock_guard lock{mutex_};
     return connections_;
+  }
+  bool wait(std::chrono::milliseconds timeout) {
+    std::unique_lock lock{mutex_};
+    const bool changed = changed_.wait_for(lock, timeout, [this] { return changes_ != seen_changes_; });
+    seen_changes_ = changes_;
+    return changed;
   }
   bool send(std::string text) {
     {
@@ -181,6 +188,7 @@ class WebSocketClient::Client {
       reason_.clear();
       outgoing_.clear();
       ++connections_;
+      note_change();
     }
     asio::co_spawn(io_, write_all(socket), asio::detached);
     beast::flat_buffer buffer;
@@ -195,6 +203,7 @@ class WebSocketClient::Client {
       const std::lock_guard lock{mutex_};
       (socket->got_text() ? texts_ : binaries_).push_back(beast::buffers_to_string(buffer.data()));
       buffer.consume(buffer.size());
+      note_change();
     }
     wake_.cancel();
   }
@@ -225,19 +234,29 @@ class WebSocketClient::Client {
     const std::lock_guard lock{mutex_};
     state_ = state;
     if (reason) reason_ = std::move(*reason);
+    note_change();
+  }
+
+  /// With the mutex held.
+  void note_change() {
+    ++changes_;
+    changed_.notify_all();
   }
 
   PairingLink link_;
   Options options_;
   std::string cookie_;
   bool ending_ = false;
-  mutable std::mutex mutex_;  ///< guards the next six
+  mutable std::mutex mutex_;  ///< guards the next eight
   State state_ = State::Connecting;
   std::string reason_;
   std::uint64_t connections_ = 0;
   std::deque<std::string> outgoing_;
   std::vector<std::string> texts_;
   std::vector<std::string> binaries_;
+  std::uint64_t changes_ = 0;
+  std::uint64_t seen_changes_ = 0;  ///< when wait() last returned
+  std::condition_variable changed_;
   asio::io_context io_{1};  ///< what follows lives in it
   ssl::context tls_;
   asio::steady_timer wake_;  ///< cancelled when there is something to write
@@ -258,6 +277,9 @@ std::string WebSocketClient::reason() const {
 }
 std::uint64_t WebSocketClient::connections() const {
   return client_->connections();
+}
+bool WebSocketClient::wait(std::chrono::milliseconds timeout) {
+  return client_->wait(timeout);
 }
 bool WebSocketClient::send(std::string text) {
   return client_->send(std::move(text));

@@ -39,6 +39,9 @@ class WebSocketClient {
   /// Counts openings of the socket: what was sent before the last one may be lost and is to be sent again.
   [[nodiscard]] std::uint64_t connections() const;
 
+  /// Sleeps until something above or below is not as it was when this last returned, or `timeout` has passed.
+  bool wait(std::chrono::milliseconds timeout);
+
   /// Sends `text` if connected; false (and nothing sent) if not.
   bool send(std::string text);
   /// Text messages that came since the last call, in order.

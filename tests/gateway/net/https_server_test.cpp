@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <functional>
 #include <stdexcept>
-#include <thread>
 
 #include "gateway/net/websocket_client.hpp"
 
@@ -15,13 +14,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Waits on real sockets of this machine: true as soon as `condition` holds.
-bool eventually(const std::function<bool()>& condition) {
-  for (const auto end = std::chrono::steady_clock::now() + 10s; std::chrono::steady_clock::now() < end;) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(2ms);
+/// Waits for news of a server or a phone: true as soon as `condition` holds, false after 10 s.
+template <typename Source>
+bool eventually(Source& source, const std::function<bool()>& condition) {
+  for (const auto end = std::chrono::steady_clock::now() + 10s; !condition();) {
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+    if (left <= 0ms) return false;
+    source.wait(left);
   }
-  return condition();
+  return true;
 }
 
 /// Lets in whoever brings the token "good", once.
@@ -64,7 +65,7 @@ class HttpsServerTest : public testing::Test {
   /// Collects what happens until an event of `kind` is there.
   static SocketEvent next(HttpsServer& server, SocketEvent::Kind kind) {
     SocketEvent found;
-    EXPECT_TRUE(eventually([&] {
+    EXPECT_TRUE(eventually(server, [&] {
       for (auto& event : server.take()) {
         if (event.kind == kind) {
           found = std::move(event);
@@ -87,7 +88,7 @@ TEST_F(HttpsServerTest, PairsAPhoneAndTalksBothWays) {
   WebSocketClient phone{link(server, "good")};
   const SocketEvent opened = next(server, SocketEvent::Kind::Opened);
   EXPECT_EQ(opened.session, "alice");
-  ASSERT_TRUE(eventually([&] { return phone.state() == WebSocketClient::State::Connected; })) << phone.reason();
+  ASSERT_TRUE(eventually(phone, [&] { return phone.state() == WebSocketClient::State::Connected; })) << phone.reason();
 
   ASSERT_TRUE(phone.send("hello"));
   EXPECT_EQ(next(server, SocketEvent::Kind::Text).text, "hello");
@@ -95,7 +96,7 @@ TEST_F(HttpsServerTest, PairsAPhoneAndTalksBothWays) {
   server.send(opened.socket, "first");
   server.send(opened.socket, "second");
   std::vector<std::string> texts;
-  ASSERT_TRUE(eventually([&] {
+  ASSERT_TRUE(eventually(phone, [&] {
     for (auto& text : phone.take()) texts.push_back(text);
     return texts.size() == 2;
   }));
@@ -103,7 +104,7 @@ TEST_F(HttpsServerTest, PairsAPhoneAndTalksBothWays) {
 
   server.send_latest(opened.socket, "belief", std::string{"\x01\x00\x02", 3}, true);
   std::vector<std::string> binaries;
-  ASSERT_TRUE(eventually([&] {
+  ASSERT_TRUE(eventually(phone, [&] {
     for (auto& one : phone.take_binary()) binaries.push_back(one);
     return !binaries.empty();
   }));
@@ -116,13 +117,13 @@ TEST_F(HttpsServerTest, ComesBackWithItsCookieAfterALostConnection) {
   const SocketEvent opened = next(server, SocketEvent::Kind::Opened);
   server.close(opened.socket, 1012, "again");
   next(server, SocketEvent::Kind::Opened);
-  EXPECT_TRUE(eventually([&] { return phone.connections() == 2; }));
+  EXPECT_TRUE(eventually(phone, [&] { return phone.connections() == 2; }));
 }
 
 TEST_F(HttpsServerTest, RefusesAWrongToken) {
   HttpsServer server{options(), certificate_, assets_, gatekeeper_};
   WebSocketClient phone{link(server, "guess")};
-  EXPECT_TRUE(eventually([&] { return phone.state() == WebSocketClient::State::Refused; }));
+  EXPECT_TRUE(eventually(phone, [&] { return phone.state() == WebSocketClient::State::Refused; }));
   EXPECT_TRUE(server.take().empty());
 }
 
@@ -131,7 +132,7 @@ TEST_F(HttpsServerTest, ClientRefusesAnotherCertificate) {
   PairingLink wrong = link(server, "good");
   wrong.fingerprint = "0000000000000000";
   WebSocketClient phone{wrong};
-  EXPECT_TRUE(eventually([&] { return phone.state() == WebSocketClient::State::Refused; }));
+  EXPECT_TRUE(eventually(phone, [&] { return phone.state() == WebSocketClient::State::Refused; }));
   EXPECT_EQ(phone.reason(), "the certificate is not the one in the link");
 }
 
@@ -139,9 +140,9 @@ TEST_F(HttpsServerTest, ClosesAPhoneThatSendsMoreThanAMessageMayHave) {
   HttpsServer server{options(), certificate_, assets_, gatekeeper_};
   WebSocketClient phone{link(server, "good"), {.retry = 10s}};
   next(server, SocketEvent::Kind::Opened);
-  ASSERT_TRUE(eventually([&] { return phone.send(std::string(17 * 1024, 'x')); }));
+  ASSERT_TRUE(eventually(phone, [&] { return phone.send(std::string(17 * 1024, 'x')); }));
   next(server, SocketEvent::Kind::Closed);
-  EXPECT_TRUE(eventually([&] { return phone.reason().rfind("closed: 1009", 0) == 0; })) << phone.reason();
+  EXPECT_TRUE(eventually(phone, [&] { return phone.reason().rfind("closed: 1009", 0) == 0; })) << phone.reason();
 }
 
 TEST_F(HttpsServerTest, TakenPortIsAClearError) {

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <thread>
 
 #include "gateway/net/websocket_client.hpp"
 #include "services/common/file_io.hpp"
@@ -57,10 +56,13 @@ class GatewayServiceTest : public testing::Test {
   }
   net::PairingLink link(const char* slot) const { return *net::parse_pairing_link(read_file(folder_ / slot)); }
 
-  /// Lets everybody work until `condition` holds, 10 s at most.
-  bool eventually(const std::function<bool()>& condition) {
+  /// Lets everybody work until `condition` holds, 10 s at most: at the gateway's beat, and when there is news of
+  /// `source`, a phone or the bus.
+  template <typename Source>
+  bool eventually(Source& source, const std::function<bool()>& condition) {
+    constexpr std::chrono::milliseconds kBeat{10};
     for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{10};
-         std::chrono::steady_clock::now() < end;) {
+         std::chrono::steady_clock::now() < end; source.wait(kBeat)) {
       gateway_->step();
       for (const auto& stop : stops_.take()) {
         stop_requests_.push_back(stop);
@@ -72,7 +74,6 @@ class GatewayServiceTest : public testing::Test {
       }
       for (const auto& message : to_tracker_.take()) to_tracker_.applied(message.id());
       if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds{2});
     }
     return false;
   }
@@ -81,7 +82,7 @@ class GatewayServiceTest : public testing::Test {
   template <typename Message>
   std::optional<Message> hear(WebSocketClient& phone, const std::function<bool(const Message&)>& wanted) {
     std::optional<Message> found;
-    eventually([&] {
+    eventually(phone, [&] {
       for (const auto& text : phone.take()) {
         const auto parsed = protocol::parse_server_message(text);
         const auto* message = std::get_if<protocol::ServerMessage>(&parsed);
@@ -142,7 +143,7 @@ TEST_F(GatewayServiceTest, AppliesACommandThatComesTwiceOnce) {
   ASSERT_TRUE(phone.send(command(1, CommandKind::Replan)));
   ASSERT_TRUE(phone.send(command(2, CommandKind::Stop)));
   ASSERT_TRUE(hear<protocol::Ack>(phone, [](const auto& ack) { return ack.up_to == 2 && !ack.results.empty(); }));
-  EXPECT_TRUE(eventually([&] { return stop_requests_.size() == 1 && human_messages_.size() == 1; }));
+  EXPECT_TRUE(eventually(bus_, [&] { return stop_requests_.size() == 1 && human_messages_.size() == 1; }));
   EXPECT_EQ(stop_requests_[0].who(), "phone:person1");
   EXPECT_TRUE(stop_requests_[0].latched());
 }
@@ -162,7 +163,7 @@ TEST_F(GatewayServiceTest, WhatThePersonIsToldIsAppliedOnlyWhenTheyHaveGotIt) {
     planner.step();
     return planner.outcome(id).state;
   };
-  ASSERT_TRUE(eventually([&] { return state(strange.id()) == bus::EventOutcome::State::Refused; }));
+  ASSERT_TRUE(eventually(bus_, [&] { return state(strange.id()) == bus::EventOutcome::State::Refused; }));
 
   WebSocketClient observer{link("observer"), patient()};  // comes later, and may not answer for the person
   const auto is_inform = [](const auto& event) { return event.kind == "inform"; };
@@ -180,7 +181,7 @@ TEST_F(GatewayServiceTest, WhatThePersonIsToldIsAppliedOnlyWhenTheyHaveGotIt) {
   WebSocketClient phone{link("participant"), patient()};
   ASSERT_TRUE(hear<protocol::Event>(phone, is_inform));
   ASSERT_TRUE(phone.send(got_it));
-  EXPECT_TRUE(eventually([&] { return state(inform.id()) == bus::EventOutcome::State::Applied; }));
+  EXPECT_TRUE(eventually(bus_, [&] { return state(inform.id()) == bus::EventOutcome::State::Applied; }));
 }
 
 TEST_F(GatewayServiceTest, AnObserverIsToldWhyItMayNotAndMayStop) {
@@ -191,7 +192,7 @@ TEST_F(GatewayServiceTest, AnObserverIsToldWhyItMayNotAndMayStop) {
   ASSERT_TRUE(refused);
   EXPECT_EQ(refused->results[0].outcome, "refused");
   ASSERT_TRUE(phone.send(command(2, CommandKind::Stop)));
-  EXPECT_TRUE(eventually([&] { return stop_requests_.size() == 1; }));
+  EXPECT_TRUE(eventually(bus_, [&] { return stop_requests_.size() == 1; }));
   EXPECT_TRUE(human_messages_.empty());
 }
 
@@ -200,7 +201,7 @@ TEST_F(GatewayServiceTest, ManyStopsAtOnceAllArrive) {
   ASSERT_TRUE(hear<protocol::Hello>(phone, [](const auto&) { return true; }));
   for (std::uint64_t i = 1; i <= 60; ++i) ASSERT_TRUE(phone.send(command(i, CommandKind::Replan)));
   for (std::uint64_t i = 61; i <= 70; ++i) ASSERT_TRUE(phone.send(command(i, CommandKind::Stop)));
-  EXPECT_TRUE(eventually([&] { return stop_requests_.size() == 10; }));
+  EXPECT_TRUE(eventually(bus_, [&] { return stop_requests_.size() == 10; }));
   EXPECT_LT(human_messages_.size(), 60u);  // 40 at once, then 20 a second
 }
 
@@ -213,19 +214,19 @@ TEST_F(GatewayServiceTest, MalformedWebSocketJsonIsAnsweredAndTheThirdTimeClosed
   EXPECT_NE(error->text.find("not JSON at character"), std::string::npos) << error->text;
   ASSERT_TRUE(phone.send(std::string(5000, '[')));
   ASSERT_TRUE(phone.send("\xff\xfe"));  // not UTF-8: the socket itself refuses it
-  EXPECT_TRUE(eventually([&] { return phone.state() != WebSocketClient::State::Connected; }));
+  EXPECT_TRUE(eventually(phone, [&] { return phone.state() != WebSocketClient::State::Connected; }));
 
   WebSocketClient other{link("observer"), patient()};
   ASSERT_TRUE(hear<protocol::Hello>(other, [](const auto&) { return true; }));
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(other.send("{}"));
-  EXPECT_TRUE(eventually([&] { return other.reason().rfind("closed: 4002", 0) == 0; })) << other.reason();
+  EXPECT_TRUE(eventually(other, [&] { return other.reason().rfind("closed: 4002", 0) == 0; })) << other.reason();
 }
 
 TEST_F(GatewayServiceTest, NobodyElseIsInvitedWhileThePhoneIsHere) {
   WebSocketClient first{link("participant"), patient()};
   ASSERT_TRUE(hear<protocol::Hello>(first, [](const auto&) { return true; }));
   const std::string used = read_file(folder_ / "participant");
-  EXPECT_TRUE(eventually([] { return true; }));
+  EXPECT_TRUE(eventually(bus_, [] { return true; }));
   EXPECT_EQ(read_file(folder_ / "participant"), used);
   const auto rights = std::filesystem::status(folder_ / "participant").permissions();
   EXPECT_EQ(rights, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);

@@ -1,6 +1,7 @@
 // The part of SearchMission that decides what the person is told.
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "services/planner/core/inform/own_way.hpp"
 #include "services/planner/core/mission/search_mission.hpp"
@@ -11,7 +12,7 @@ namespace {
 constexpr Duration kPeriod = std::chrono::seconds{5};  ///< between two looks at what could be told
 constexpr double kAhead_s = 30.0;                      ///< so far ahead one who goes straight on is followed
 constexpr double kWorthSaying_m2 = 1.0;
-const std::string kBeliefId = "where it may be";
+constexpr std::string_view kBeliefId = "where it may be";
 
 std::string whole(double number) {
   return std::to_string(std::lround(number));
@@ -65,7 +66,8 @@ InformOption SearchMission::belief_option(Time now, double own_way) {
   if (!rest.empty()) {
     problem.others.push_back({static_cast<int>(kRobot), seen_[kRobot]->map_from_agent.heading, rest[kRobot]});
   }
-  InformOption option{kBeliefId, own_way * gain_of_knowing_s(problem, knowledge_->belief().posterior()), ""};
+  InformOption option{std::string{kBeliefId}, own_way * gain_of_knowing_s(problem, knowledge_->belief().posterior()),
+                      ""};
   double unknown_m2 = 0.0;
   for (int cell = 0; cell < world_->area().size(); ++cell) {
     const bool is_news = belief_->is_explored(cell, config_.explored_probability) &&

@@ -34,6 +34,7 @@ void SearchMission::set_map(OccupancyGrid map) {
   drawn_.clear();
   belief_.reset();
   knowledge_.reset();
+  inform_.reset();
   plan_.reset();
   acceptance_.clear();
   ++world_version_;

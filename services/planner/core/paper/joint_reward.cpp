@@ -57,14 +57,15 @@ double DetectedMass::of(const std::array<int, kMostAgents>& last_actions) {
 
 NegativeExpectedTime::NegativeExpectedTime(SearchObjective objective, std::vector<ActionTree*> trees,
                                            std::vector<double> starts_s, std::vector<double> rates_per_s,
-                                           std::vector<Look> fixed, double rest_sweeps)
+                                           std::vector<Look> fixed, double rest_sweeps, double unsearched)
     : objective_(std::move(objective)),
       trees_(std::move(trees)),
       starts_s_(std::move(starts_s)),
       rates_per_s_(std::move(rates_per_s)),
       looks_(std::move(fixed)),
       fixed_(looks_.size()),
-      rest_sweeps_(rest_sweeps) {}
+      rest_sweeps_(rest_sweeps),
+      unsearched_(unsearched) {}
 
 double NegativeExpectedTime::of(const std::array<int, kMostAgents>& last_actions) {
   looks_.resize(fixed_);
@@ -81,8 +82,18 @@ double NegativeExpectedTime::of(const std::array<int, kMostAgents>& last_actions
   const Forecast forecast = objective_.forecast(looks_);
   const double left = 1.0 - forecast.probability_found;
   const double on_the_branch_s = forecast.expected_time_s - left * (objective_.horizon_s() + objective_.tail_s());
-  const double sweep_of_the_rest_s = objective_.tail_s() * left;
+  const double sweep_of_the_rest_s = objective_.tail_s() * unsearched_ * left;
   return -(on_the_branch_s + left * (ends_s + rest_sweeps_ * sweep_of_the_rest_s));
+}
+
+double share_with_mass(const std::vector<double>& mass, const SearchArea& area) {
+  const double sum = std::accumulate(mass.begin(), mass.end(), 0.0);
+  double uneven = 0.0;
+  for (int cell = 0; cell < area.size(); ++cell) {
+    const double share = sum > 0.0 ? mass[static_cast<std::size_t>(cell)] / sum : 0.0;
+    if (share > 0.0) uneven += share * share * area.area_m2() / area.floor_m2(cell);
+  }
+  return uneven > 0.0 ? 1.0 / uneven : 0.0;
 }
 
 }  // namespace tandem

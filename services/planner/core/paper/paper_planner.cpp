@@ -18,6 +18,7 @@ constexpr std::size_t kEndStates = 64;
 constexpr double kGoalsApart_m = 4.0;
 constexpr double kNothingNew = 1e-6;  ///< share of the mass left
 constexpr int kRolloutsPerStop = 16;
+constexpr double kLeastUnsearched = 0.1;  ///< share of the area: even what lies in one place has to be got to
 
 /// The mass of all objects that is not detected by `looks`, which happen whatever is planned.
 std::vector<double> mass_without(const std::vector<std::vector<double>>& masses, const std::vector<Look>& looks) {
@@ -97,9 +98,14 @@ void PaperPlanner::begin(const SearchProblem& problem, Rng rng) {
     objective_ = std::make_unique<std::variant<DetectedMass, NegativeExpectedTime>>(
         std::in_place_type<DetectedMass>, mass_, tree_pointers_, options_.pruning.travel_cost_per_s);
   } else {
+    double unsearched = 0.0;
+    for (const auto& of_object : problem.masses) {
+      unsearched += share_with_mass(of_object, problem.world->area()) / static_cast<double>(problem.masses.size());
+    }
     objective_ = std::make_unique<std::variant<DetectedMass, NegativeExpectedTime>>(
         std::in_place_type<NegativeExpectedTime>, SearchObjective(problem.masses, problem.horizon_s, problem.tail_s),
-        tree_pointers_, starts_s, rates_per_s, problem_->fixed_looks(), options_.rest_sweeps);
+        tree_pointers_, starts_s, rates_per_s, problem_->fixed_looks(), options_.rest_sweeps,
+        std::max(kLeastUnsearched, unsearched));
   }
   expand_end_states();
 }

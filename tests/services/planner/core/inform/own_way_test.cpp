@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "services/common/random.hpp"
 #include "tests/services/planner/support/search_corridor.hpp"
 
 namespace tandem {
@@ -50,6 +51,31 @@ TEST(OwnWay, ItGainsLessIfTheRobotGetsThereAnyway) {
   search.problem.members.pop_back();
   search.problem.others.push_back({1, 0.0, {{{0.0, {4.75, 1.0}}, {5.5, {10.25, 1.0}}}}});  // sees it after 4.9 s
   EXPECT_NEAR(gain_of_knowing_s(search.problem, believed(search, 0.8, 0.2)), 0.0, kView_s);
+}
+
+TEST(OwnWay, OnAverageItGainsMoreTheMoreWasSearchedUnseen) {
+  SearchCase search(empty_room(24, 16), {2, 2}, {test_person()});
+  const SearchArea& area = search.world().area();
+  const std::vector<double> even = search.problem.masses.front();
+  Rng rng{3};
+  const auto somewhere = [&] { return area.point(static_cast<int>(rng.index(static_cast<std::size_t>(area.size())))); };
+  double last_s = 0.0;
+  for (const double radius_m : {1.0, 3.0, 6.0}) {
+    double mean_s = 0.0;
+    for (int i = 0; i < 30; ++i) {
+      const Vector2d centre = somewhere();
+      const Vector2d start = somewhere();
+      for (int cell = 0; cell < area.size(); ++cell) {
+        const bool is_searched = (area.point(cell) - centre).norm() < radius_m;
+        const auto c = static_cast<std::size_t>(cell);
+        search.problem.masses.front()[c] = is_searched ? 0.05 * even[c] : even[c];
+      }
+      search.problem.members.front().pose = {start.x(), start.y(), 0.0};
+      mean_s += gain_of_knowing_s(search.problem, even) / 30.0;
+    }
+    EXPECT_GT(mean_s, last_s) << "radius " << radius_m;
+    last_s = mean_s;
+  }
 }
 
 TEST(OwnWay, AStraightWayThroughAPlaceTakesItsWidthUpToTheFirstWall) {

@@ -78,6 +78,17 @@ TEST_F(MissionInformingTest, WhatTheyHaveTakenNoticeOfIsNotToldAgain) {
   }
 }
 
+TEST_F(MissionInformingTest, WhatWasSaidOfAnotherMapDoesNotCountAnyMore) {
+  EXPECT_FALSE(mission.request({PersonRequest::Kind::MyGoal, {15, 9}}, now));
+  somebody_draws();
+  walk_to_the_right(seconds{6});
+  ASSERT_TRUE(mission.inform());
+  const auto number = mission.inform()->number;
+  mission.set_map(empty_room(20, 12));
+  EXPECT_FALSE(mission.inform());
+  mission.inform_heard(number);  // they press too late
+}
+
 TEST_F(MissionInformingTest, WhoGoesTheirOwnWayIsToldWhatTheRobotHasSearchedOutOfTheirSight) {
   // It is very likely over there, they say. The robot looks all around there, and they do not see it.
   BeliefEdit hint{BeliefEdit::Kind::LikelyHere, Disc{{12.0, 5.0}, 3.0}, "very", "person"};

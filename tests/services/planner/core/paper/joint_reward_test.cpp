@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tests/services/planner/support/action_trees.hpp"
+#include "tests/services/planner/support/search_case.hpp"
 
 namespace tandem {
 namespace {
@@ -59,22 +60,39 @@ TEST(JointReward, T15TheObjectiveAsPrintedDoesNotCareForTheOrderAndItsTravelCost
 
 TEST(JointReward, T15TheExpectedTimePicksTheLikelyRoomFirst) {
   ActionTree tree = two_rooms();
-  NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 0.0), {&tree}, {0.0}, {kFirstSight}, {}, 0.5);
+  NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 0.0), {&tree}, {0.0}, {kFirstSight}, {}, 0.5, 1.0);
   EXPECT_NEAR(time.of({2}), -4.2, 1e-12);  // 0.2 * 1 + 0.8 * 5
   EXPECT_NEAR(time.of({4}), -3.8, 1e-12);  // 0.8 * 3 + 0.2 * 7
 }
 
 TEST(JointReward, WhatABranchLeavesIsFoundAfterItsEndOnASweepOfTheRest) {
   ActionTree tree = two_rooms();
-  NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 50.0), {&tree}, {0.0}, {kFirstSight}, {}, 0.5);
+  NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 50.0), {&tree}, {0.0}, {kFirstSight}, {}, 0.5, 1.0);
   EXPECT_NEAR(time.of({3}), -(0.8 * 3.0 + 0.2 * (3.0 + 0.5 * 50.0 * 0.2)), 1e-12);  // only B, after 3 s
+}
+
+TEST(JointReward, TheShareWithMassIsThatOfTheFloorWhereItLiesHoweverMuchItIs) {
+  const OccupancyGrid map = empty_room(4, 2);
+  const SearchArea area(map, start_at(1, 1));
+  std::vector<double> mass = uniform_prior(area, {1, 1}, 0.0);
+  EXPECT_NEAR(share_with_mass(mass, area), 1.0, 1e-12);
+  for (double& one : mass) one *= 1e-6;
+  EXPECT_NEAR(share_with_mass(mass, area), 1.0, 1e-12);
+  double kept_m2 = 0.0;
+  for (int cell = 0; cell < area.size(); ++cell) {
+    if (area.point(cell).x() > 2.5) mass[static_cast<std::size_t>(cell)] = 0.0;
+    if (area.point(cell).x() <= 2.5) kept_m2 += area.floor_m2(cell);
+  }
+  EXPECT_NEAR(share_with_mass(mass, area), kept_m2 / area.area_m2(), 1e-12);
+  EXPECT_NEAR(kept_m2 / area.area_m2(), 0.5, 0.01);
+  EXPECT_EQ(share_with_mass(std::vector<double>(mass.size(), 0.0), area), 0.0);
 }
 
 TEST(JointReward, T16TwoAgentsSplit) {
   ActionTree a = two_rooms();
   ActionTree b = two_rooms();
   NegativeExpectedTime time(SearchObjective({{0.2, 0.8}}, 100.0, 0.0), {&a, &b}, {0.0, 0.0}, {kFirstSight, kFirstSight},
-                            {}, 0.5);
+                            {}, 0.5, 1.0);
   EXPECT_NEAR(time.of({1, 3}), -2.6, 1e-12);  // 0.2 * 1 + 0.8 * 3
 }
 
