@@ -136,6 +136,36 @@ TEST(Localizer, SaysThatItIsLostWhenScansDoNotFit) {
   EXPECT_EQ(result.status, LocalizationStatus::Lost);
 }
 
+TEST(Localizer, FindsItselfAnywhereAndSaysWhenItIsSure) {
+  LocalizationConfig config;
+  config.start_globally = true;
+  Drive drive{config};
+
+  EXPECT_EQ(drive.step()->status, LocalizationStatus::Uncertain);
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 40; ++i) {
+    result = drive.step();
+    ASSERT_TRUE(result);
+    const bool ok = result->status == LocalizationStatus::Ok;
+    ASSERT_TRUE(!ok || drive.error_m(*result) < 0.3) << "step " << i;
+  }
+  EXPECT_EQ(result->status, LocalizationStatus::Ok);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
+TEST(Localizer, FindsItselfAgainAfterItWasCarriedAway) {
+  Drive drive{started()};
+  for (int i = 0; i < 10; ++i) (void)drive.step();
+
+  drive.map_from_base_ = {2.0, 2.6, 2.8};  // the wheels stood still
+
+  EXPECT_NE(drive.step()->status, LocalizationStatus::Ok);
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 60; ++i) result = drive.step();
+  EXPECT_EQ(result->status, LocalizationStatus::Ok);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
 TEST(Localizer, UsesOddScansAloneWhereAsked) {
   LocalizationConfig config = started();
   config.scans = "odd";
