@@ -45,6 +45,9 @@ struct LocalizationConfig {
   double refine_loss_m = 0.1;       ///< Residual where the robust loss begins to flatten.
   double prior_deviation_m = 0.15;  ///< The filter's pose holds the refined one this loosely.
   double prior_deviation_rad = 0.1;
+  std::int64_t window_scans = 3;      ///< Poses refined together; 0: the filter alone.
+  double refine_beam_weight = 0.5;    ///< ... each beam counting as this much of one: neighbours err together.
+  double map_deviation_cells = 0.05;  ///< How wrong a map is whatever scans say, for the covariance [its cells].
 
   double fit_distance_m = 0.2;  ///< A beam fits the map when it ends this close to a wall and came through none.
   double agreement_ok = 0.65;   ///< Share of fitting beams from which a pose is believed.
@@ -61,7 +64,6 @@ struct LocalizationConfig {
   double search_below = 0.85;        ///< Share of fitting beams below which the surroundings are searched.
   double search_window_m = 1.2;      ///< Half the side of the square searched when the scan does not fit ...
   double search_window_rad = 0.3;    ///< ... and the turn each way.
-  double search_wide_m = 3.0;        ///< The same once it has not fitted for lost_after_s.
   double search_prior_weight = 0.3;  ///< What leaving the prediction by a whole window costs [log likelihood/beam].
 
   template <typename Visitor>
@@ -99,6 +101,9 @@ struct LocalizationConfig {
     visitor.field("refine_loss_m", refine_loss_m, length_m);
     visitor.field("prior_deviation_m", prior_deviation_m, length_m);
     visitor.field("prior_deviation_rad", prior_deviation_rad, length_m);
+    visitor.field("window_scans", window_scans, Range{0, 20});
+    visitor.field("refine_beam_weight", refine_beam_weight, Range{0.001, 1.0});
+    visitor.field("map_deviation_cells", map_deviation_cells, Range{0.0, 10.0});
     visitor.field("fit_distance_m", fit_distance_m, length_m);
     visitor.field("agreement_ok", agreement_ok, share);
     visitor.field("lost_after_s", lost_after_s, Range{0.0, 60.0});
@@ -112,7 +117,6 @@ struct LocalizationConfig {
     visitor.field("search_below", search_below, share);
     visitor.field("search_window_m", search_window_m, Range{0.05, 20.0});
     visitor.field("search_window_rad", search_window_rad, Range{0.01, 3.2});
-    visitor.field("search_wide_m", search_wide_m, Range{0.05, 20.0});
     visitor.field("search_prior_weight", search_prior_weight, Range{0.0, 100.0});
   }
 };

@@ -31,6 +31,16 @@ PlaceFinderOptions finder_options(const LocalizationConfig& config) {
   return options;
 }
 
+WindowOptions window_options(const LocalizationConfig& config, double resolution_m) {
+  return {.scans = static_cast<std::size_t>(config.window_scans),
+          .older_beams = static_cast<std::size_t>(config.filter_beams),
+          .loss_m = config.refine_loss_m,
+          .beam_weight = config.refine_beam_weight,
+          .map_deviation_m = config.map_deviation_cells * resolution_m,
+          .prior_deviation_m = config.prior_deviation_m,
+          .prior_deviation_rad = config.prior_deviation_rad};
+}
+
 MotionNoise noise_of(const LocalizationConfig& config) {
   return {config.forward_per_m, config.sideways_per_m, config.turn_per_rad,
           config.turn_per_m,    config.drift_m,        config.drift_rad};
@@ -53,6 +63,7 @@ Localizer::Localizer(OccupancyGrid map, const LocalizationConfig& config)
       distances_(map_, kFieldReachM),
       likelihoods_(map_, distances_, BeamModel{config.hit_deviation_m, config.random_share}),
       finder_(map_, likelihoods_, finder_options(config)),
+      window_(distances_, window_options(config, map_.resolution_m())),
       rng_(static_cast<std::uint64_t>(config.seed)),
       odometry_(from_seconds(config.odometry_max_age_s)),
       monitor_(config.agreement_ok, from_seconds(config.lost_after_s)) {}
@@ -77,6 +88,7 @@ void Localizer::apply_hint() {
   particles_ = particles_around(map_from_base, hint_->standard_deviation_m, deviation_rad,
                                 static_cast<std::size_t>(config_.particles_max), rng_);
   last_fit_.reset();
+  window_.restart();
   monitor_.reset();
   trusted_ = true;
   mean_agreement_ = 1.0;
@@ -93,12 +105,24 @@ void Localizer::start_at(const OdometrySample& odometry) {
   }
 }
 
-void Localizer::predict(const OdometrySample& odometry) {
+std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odometry) {
   Pose2 motion;  // across a break of the odometry: none that is known
-  if (last_->epoch == odometry.epoch) motion = inverse(last_->odom_from_base) * odometry.odom_from_base;
+  if (last_->epoch == odometry.epoch) {
+    motion = inverse(last_->odom_from_base) * odometry.odom_from_base;
+  } else {
+    window_.restart();
+  }
   const double factor = odometry.time < distrust_until_ ? config_.distrust_factor : 1.0;
-  move(particles_, motion, deviation_of(motion, noise_of(config_).times(factor)), rng_);
+  const MotionDeviation deviation = deviation_of(motion, noise_of(config_).times(factor));
+  move(particles_, motion, deviation, rng_);
   last_ = odometry;
+  return {motion, deviation};
+}
+
+Localizer::Fit Localizer::tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation) {
+  RefinedPose pose{group.map_from_base, group.covariance};
+  if (config_.window_scans > 0) pose = window_.add(group.map_from_base, endpoints_, motion, deviation);
+  return {pose, agreement_at(pose.map_from_base)};
 }
 
 Localizer::Fit Localizer::fit_at(const Pose2& map_from_base) const {
@@ -117,18 +141,15 @@ double Localizer::agreement_at(const Pose2& map_from_base) const {
 
 Localizer::Fit Localizer::corrected(Fit fit, Time time) {
   slipped_ = false;
-  if (fit.agreement >= config_.search_below) return fit;
-  SearchWindow window{.half_side_m = config_.search_window_m,
-                      .half_turn_rad = config_.search_window_rad,
-                      .prior_weight = config_.search_prior_weight};
-  if (status_ == LocalizationStatus::Lost) {
-    window.half_side_m = config_.search_wide_m;
-    window.step_m = 0.2;
-  }
+  if (fit.agreement >= config_.search_below || !trusted_) return fit;  // lost: the finder looks everywhere
+  const SearchWindow window{.half_side_m = config_.search_window_m,
+                            .half_turn_rad = config_.search_window_rad,
+                            .prior_weight = config_.search_prior_weight};
   const Pose2 found = best_pose_in_window(likelihoods_, few_endpoints_, fit.pose.map_from_base, window);
   const Fit searched = fit_at(found);
   if (searched.agreement < fit.agreement + kClearlyBetter) return fit;
   slipped_ = (searched.pose.map_from_base.position() - fit.pose.map_from_base.position()).norm() > kSlipM;
+  window_.restart();
   gather(particles_, kSearchedShare, searched.pose.map_from_base, 0.1, 0.05, rng_);
   normalise(particles_);
   distrust_until_ = time + from_seconds(config_.distrust_s);
@@ -155,6 +176,7 @@ Localizer::Fit Localizer::settled_at(const Pose2& place) const {
 void Localizer::believe(const Fit& fit) {
   particles_ =
       particles_around(fit.pose.map_from_base, 0.1, 0.05, static_cast<std::size_t>(config_.particles_max), rng_);
+  window_.restart();
   monitor_.reset();
   status_ = LocalizationStatus::Ok;
   trusted_ = true;
@@ -167,7 +189,7 @@ Localizer::Fit Localizer::judged(Fit fit, const OdometrySample& odometry) {
   status_ = monitor_.add(odometry.time, fit.agreement);
   mean_agreement_ += kNewScanShare * (fit.agreement - mean_agreement_);
   if (status_ == LocalizationStatus::Lost) trusted_ = false;
-  remember(odometry, slipped_ || (was_ok && status_ != LocalizationStatus::Ok));
+  remember(odometry, was_ok && (slipped_ || status_ != LocalizationStatus::Ok));
   if (slipped_ || status_ != LocalizationStatus::Ok) probation_from_m_ = finder_.way_m();
   if (!is_in_doubt()) return fit;
 
@@ -228,10 +250,10 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   if (particles_.empty()) return sought(*odometry);
   if (auto resting = result_at_rest(*odometry)) return resting;
 
-  predict(*odometry);
+  const auto [motion, deviation] = predict(*odometry);
   weigh(particles_, likelihoods_, few_endpoints_, config_.beam_weight);
   const auto groups = clusters(particles_, 3);
-  const Fit fit = judged(corrected(fit_at(groups.front().map_from_base), scan.time), *odometry);
+  const Fit fit = judged(corrected(tracked(groups.front(), motion, deviation), scan.time), *odometry);
   resample(fit);
   last_fit_ = fit;
   return result_of(fit, other_places(fit, groups));

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "services/common/pose2.hpp"
@@ -15,6 +16,7 @@
 #include "services/localization/core/particles.hpp"
 #include "services/localization/core/place_finder.hpp"
 #include "services/localization/core/pose_refinement.hpp"
+#include "services/localization/core/sliding_window.hpp"
 #include "services/mapping/core/distance_field.hpp"
 #include "services/mapping/core/occupancy_grid.hpp"
 
@@ -65,7 +67,10 @@ class Localizer {
 
   void start_at(const OdometrySample& odometry);
   void apply_hint();
-  void predict(const OdometrySample& odometry);
+  /// Moves the particles; the motion and how wrong it may be.
+  std::pair<Pose2, MotionDeviation> predict(const OdometrySample& odometry);
+  /// The filter's pose, refined together with the last ones.
+  [[nodiscard]] Fit tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation);
   [[nodiscard]] Fit fit_at(const Pose2& map_from_base) const;
   [[nodiscard]] double agreement_at(const Pose2& map_from_base) const;
   /// `fit`, or a pose near it that fits much better: wheels missed some motion.
@@ -92,6 +97,7 @@ class Localizer {
   DistanceField distances_;
   LikelihoodField likelihoods_;
   PlaceFinder finder_;
+  SlidingWindow window_;
   Rng rng_;
   OdometryHistory odometry_;
   AgreementMonitor monitor_;

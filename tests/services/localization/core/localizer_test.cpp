@@ -64,6 +64,25 @@ TEST(Localizer, GivesTheSamePosesForTheSameInputs) {
   }
 }
 
+TEST(Localizer, TurnsWithTheWorld) {
+  const Pose2 turn{4.0, -7.0, 1.0};
+  Drive straight{started()};
+  LocalizationConfig config;
+  const Pose2 start = turn * Pose2{2.5, 1.2, 0.0};
+  config.start = {start.x, start.y, start.heading};
+  OccupancyGrid map{straight.map_.width(), straight.map_.height(), straight.map_.resolution_m(), turn};
+  std::copy(straight.map_.cells().begin(), straight.map_.cells().end(), map.cells().begin());
+  Localizer turned{map, config};
+  for (int i = 0; i < 40; ++i) {
+    const auto a = straight.step(1.1);
+    turned.add_odometry({straight.time_, straight.odom_from_base_, {}, 0});
+    const auto b = turned.add_scan(test::scan_from(straight.map_, straight.map_from_base_, straight.time_));
+    const Pose2 expected = turn * a->map_from_base;
+    ASSERT_LT((b->map_from_base.position() - expected.position()).norm(), 0.01) << "step " << i;
+    ASSERT_LT(std::abs(turn_between(b->map_from_base.heading, expected.heading)), 0.005) << "step " << i;
+  }
+}
+
 TEST(Localizer, SaysNothingBeforeItKnowsWhereItStarted) {
   Drive drive{LocalizationConfig{}};
 
@@ -161,7 +180,7 @@ TEST(Localizer, FindsItselfAgainAfterItWasCarriedAway) {
 
   EXPECT_NE(drive.step()->status, LocalizationStatus::Ok);
   std::optional<LocalizationResult> result;
-  for (int i = 0; i < 60; ++i) result = drive.step();
+  for (int i = 0; i < 126; ++i) result = drive.step();  // once round the circle
   EXPECT_EQ(result->status, LocalizationStatus::Ok);
   EXPECT_LT(drive.error_m(*result), 0.1);
 }
