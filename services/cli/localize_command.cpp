@@ -11,6 +11,7 @@
 #include "services/cli/offline_localization.hpp"
 #include "services/cli/progress.hpp"
 #include "services/common/file_io.hpp"
+#include "services/localization/core/trajectory_picture.hpp"
 #include "services/mapping/core/map_file.hpp"
 #include "services/mapping/core/sha256.hpp"
 #include "services/recorder/core/carmen_log.hpp"
@@ -31,6 +32,7 @@ struct LocalizeOptions {
   std::optional<double> kidnap_s;
   std::optional<std::int64_t> seed;
   std::string trajectory;
+  std::string picture;
   bool json = false;
 };
 
@@ -175,6 +177,11 @@ void run(const LocalizeOptions& options) {
     for (const EstimatedPose& estimate : result.poses) text += trajectory_line(estimate.pose);
     write_file_atomically(options.trajectory, text);
   }
+  if (!options.picture.empty()) {
+    std::vector<TimedPose> poses;
+    for (const EstimatedPose& estimate : result.poses) poses.push_back(estimate.pose);
+    write_file_atomically(options.picture, trajectory_picture(map, poses, truth.poses));
+  }
   const auto report = report_of(options, truth, config, result);
   if (options.json) {
     std::puts(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
@@ -205,6 +212,7 @@ void add_localize_command(CLI::App& tandem) {
   command->add_option("--kidnap", options->kidnap_s, "From this time on [s] believe to be somewhere else");
   command->add_option("--seed", options->seed, "Of all random draws");
   command->add_option("--trajectory", options->trajectory, "Write the poses here: lines of t x y theta");
+  command->add_option("--svg", options->picture, "Draw the map with the estimated and the true way here");
   command->add_flag("--json", options->json, "Report as JSON");
   command->callback([options] { run(*options); });
 }
