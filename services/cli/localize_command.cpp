@@ -116,6 +116,11 @@ nlohmann::ordered_json report_of(const LocalizeOptions& options, const Truth& tr
   const auto not_ok = std::count_if(result.poses.begin(), result.poses.end(), [](const EstimatedPose& estimate) {
     return estimate.status != LocalizationStatus::Ok;
   });
+  nlohmann::ordered_json faults = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < kInputFaultNames.size(); ++i) {
+    const auto count = result.faults.count(static_cast<InputFault>(i));
+    if (count > 0) faults[kInputFaultNames[i]] = count;
+  }
   return {
       {"recording", options.file},
       {"map", options.map},
@@ -132,6 +137,7 @@ nlohmann::ordered_json report_of(const LocalizeOptions& options, const Truth& tr
       {"nees", errors.nees},
       {"status_wrong_share", errors.status_wrong_share},
       {"status_not_ok", not_ok},
+      {"faults", faults},
       {"config_hash", hash_of(config)},
       {"seed", config.seed}};
 }

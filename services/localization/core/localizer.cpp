@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "services/localization/core/beams.hpp"
@@ -19,6 +20,10 @@ constexpr double kSlipM = 0.3;             ///< A correction this large is motio
 constexpr double kNewScanShare = 0.2;      ///< Weight of the newest scan in the mean agreement.
 constexpr double kHintDeviationRad = 0.3;  ///< How well a person tells a heading.
 constexpr double kAnyHeadingRad = 4.0;     ///< Wrapped, as good as uniform.
+constexpr double kStuckM = 0.3;            ///< A laser cannot see the very same over this way.
+constexpr double kFastestMps = 5.0;        ///< No robot of ours drives faster, ...
+constexpr double kFastestRadps = 8.0;      ///< ... or turns faster.
+constexpr double kShortestS = 0.1;         ///< Stamps of samples close together are not exact.
 constexpr double kNever = -1e9;            ///< [m] on the way
 constexpr double kOneHypothesis = 0.9;     ///< Weight of a group that leaves no doubt.
 
@@ -107,10 +112,19 @@ void Localizer::start_at(const OdometrySample& odometry) {
 
 std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odometry) {
   Pose2 motion;  // across a break of the odometry: none that is known
-  if (last_->epoch == odometry.epoch) {
+  bool known = last_->epoch == odometry.epoch;
+  if (known) {
     motion = inverse(last_->odom_from_base) * odometry.odom_from_base;
-  } else {
+    const double seconds = std::max(kShortestS, to_seconds(odometry.time - last_->time));
+    if (motion.position().norm() > kFastestMps * seconds || std::abs(motion.heading) > kFastestRadps * seconds) {
+      faults_.add(InputFault::OdometryJump);
+      motion = {};
+      known = false;
+    }
+  }
+  if (!known) {
     window_.restart();
+    finder_.forget();
   }
   const double factor = odometry.time < distrust_until_ ? config_.distrust_factor : 1.0;
   const MotionDeviation deviation = deviation_of(motion, noise_of(config_).times(factor));
@@ -232,19 +246,39 @@ void Localizer::resample(const Fit& fit) {
   }
 }
 
+std::nullopt_t Localizer::refused(InputFault fault) {
+  faults_.add(fault);
+  return std::nullopt;
+}
+
+bool Localizer::is_stuck(const LaserScan& scan, const OdometrySample& odometry) {
+  // Bytes, not numbers: NaN is not equal to itself.
+  const auto bytes = [](const std::vector<float>& ranges) { return std::as_bytes(std::span{ranges}); };
+  const auto now = bytes(scan.ranges_m);
+  const auto before = bytes(seen_ranges_m_);
+  if (!std::equal(now.begin(), now.end(), before.begin(), before.end())) {
+    seen_ranges_m_ = scan.ranges_m;
+    seen_at_ = odometry.odom_from_base;
+    return false;
+  }
+  return (odometry.odom_from_base.position() - seen_at_.position()).norm() > kStuckM;
+}
+
 std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   const bool thinned_out = config_.scans == "odd" && scan_count_ % 2 == 0;
   ++scan_count_;
   if (thinned_out) return std::nullopt;  // as if it had never been there
   const auto odometry = odometry_.at(scan.time);
-  if (!odometry) return std::nullopt;
+  if (!odometry) return refused(InputFault::ScanWithoutOdometry);
+  if (last_ && scan.time < last_->time) return refused(InputFault::ScanOutOfOrder);
   start_at(*odometry);
   apply_hint();
   if (!is_started()) return std::nullopt;
   laser_in_base_ = scan.base_from_laser.position();
   endpoints_ = selected_endpoints(scan, static_cast<std::size_t>(config_.refine_beams), config_.range_limit_m,
                                   odometry->velocity);
-  if (endpoints_.size() < kMinReturns) return std::nullopt;
+  if (endpoints_.size() < kMinReturns) return refused(InputFault::ScanWithTooFewReturns);
+  if (is_stuck(scan, *odometry)) return refused(InputFault::ScanStuck);
   few_endpoints_ = thinned(endpoints_, static_cast<std::size_t>(config_.filter_beams));
 
   if (particles_.empty()) return sought(*odometry);

@@ -9,6 +9,7 @@
 #include "services/common/random.hpp"
 #include "services/common/time.hpp"
 #include "services/localization/core/agreement_monitor.hpp"
+#include "services/localization/core/input_faults.hpp"
 #include "services/localization/core/laser_scan.hpp"
 #include "services/localization/core/likelihood_field.hpp"
 #include "services/localization/core/localization_config.hpp"
@@ -56,6 +57,9 @@ class Localizer {
   /// The robot is about there: at the next scan particles gather around it, and that scan decides.
   void add_hint(const PoseHint& hint);
 
+  /// What came in that could not be used as it was.
+  [[nodiscard]] const InputFaults& faults() const { return faults_; }
+
   /// Does it follow a pose, right or wrong?
   [[nodiscard]] bool is_started() const { return !particles_.empty() || config_.start_globally; }
 
@@ -65,6 +69,9 @@ class Localizer {
     double agreement = 0.0;
   };
 
+  /// Takes notice of `fault`: there is no pose for this scan.
+  std::nullopt_t refused(InputFault fault);
+  [[nodiscard]] bool is_stuck(const LaserScan& scan, const OdometrySample& odometry);
   void start_at(const OdometrySample& odometry);
   void apply_hint();
   /// Moves the particles; the motion and how wrong it may be.
@@ -112,6 +119,9 @@ class Localizer {
   double probation_from_m_ = -1e9;  ///< finder_.way_m() when a scan last did not fit, or showed missed motion
   double doubted_at_m_ = 0.0;       ///< finder_.way_m() when other places were last looked at
   std::optional<PoseHint> hint_;    ///< not yet applied
+  InputFaults faults_;
+  std::vector<float> seen_ranges_m_;  ///< of the last scan that differed from the one before ...
+  Pose2 seen_at_;                     ///< ... and where the wheels were then
   std::int64_t scan_count_ = 0;
   Eigen::Vector2d laser_in_base_ = Eigen::Vector2d::Zero();
   std::vector<Eigen::Vector2d> endpoints_;      ///< of the scan at hand, in the base frame

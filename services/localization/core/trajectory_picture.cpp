@@ -74,7 +74,8 @@ std::string trajectory_picture(const OccupancyGrid& map, std::span<const TimedPo
                     "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   svg += "<path d=\"" + canvas.walls() + "\" stroke=\"#222\" stroke-width=\"" + number(canvas.cell_px()) + "\"/>\n";
   if (!truth.empty()) {
-    svg += "<polyline points=\"" + canvas.way(truth) + "\" fill=\"none\" stroke=\"#f28e2b\" stroke-width=\"5\"/>\n";
+    svg += "<polyline points=\"" + canvas.way(truth) +
+           "\" fill=\"none\" stroke=\"#f28e2b\" stroke-linejoin=\"round\" stroke-width=\"5\"/>\n";
     svg += "<text x=\"150\" y=\"15\" fill=\"#f28e2b\">true</text>\n";
   }
   svg += "<polyline points=\"" + canvas.way(estimate) + "\" fill=\"none\" stroke=\"#1f77b4\" stroke-width=\"1.5\"/>\n";
