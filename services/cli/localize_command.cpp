@@ -11,6 +11,7 @@
 #include "services/cli/offline_localization.hpp"
 #include "services/cli/progress.hpp"
 #include "services/common/file_io.hpp"
+#include "services/localization/core/trajectory_picture.hpp"
 #include "services/mapping/core/map_file.hpp"
 #include "services/mapping/core/sha256.hpp"
 #include "services/recorder/core/carmen_log.hpp"
@@ -31,6 +32,7 @@ struct LocalizeOptions {
   std::optional<double> kidnap_s;
   std::optional<std::int64_t> seed;
   std::string trajectory;
+  std::string picture;
   bool json = false;
 };
 
@@ -114,6 +116,11 @@ nlohmann::ordered_json report_of(const LocalizeOptions& options, const Truth& tr
   const auto not_ok = std::count_if(result.poses.begin(), result.poses.end(), [](const EstimatedPose& estimate) {
     return estimate.status != LocalizationStatus::Ok;
   });
+  nlohmann::ordered_json faults = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < kInputFaultNames.size(); ++i) {
+    const auto count = result.faults.count(static_cast<InputFault>(i));
+    if (count > 0) faults[kInputFaultNames[i]] = count;
+  }
   return {
       {"recording", options.file},
       {"map", options.map},
@@ -130,6 +137,7 @@ nlohmann::ordered_json report_of(const LocalizeOptions& options, const Truth& tr
       {"nees", errors.nees},
       {"status_wrong_share", errors.status_wrong_share},
       {"status_not_ok", not_ok},
+      {"faults", faults},
       {"config_hash", hash_of(config)},
       {"seed", config.seed}};
 }
@@ -175,6 +183,11 @@ void run(const LocalizeOptions& options) {
     for (const EstimatedPose& estimate : result.poses) text += trajectory_line(estimate.pose);
     write_file_atomically(options.trajectory, text);
   }
+  if (!options.picture.empty()) {
+    std::vector<TimedPose> poses;
+    for (const EstimatedPose& estimate : result.poses) poses.push_back(estimate.pose);
+    write_file_atomically(options.picture, trajectory_picture(map, poses, truth.poses));
+  }
   const auto report = report_of(options, truth, config, result);
   if (options.json) {
     std::puts(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
@@ -205,6 +218,7 @@ void add_localize_command(CLI::App& tandem) {
   command->add_option("--kidnap", options->kidnap_s, "From this time on [s] believe to be somewhere else");
   command->add_option("--seed", options->seed, "Of all random draws");
   command->add_option("--trajectory", options->trajectory, "Write the poses here: lines of t x y theta");
+  command->add_option("--svg", options->picture, "Draw the map with the estimated and the true way here");
   command->add_flag("--json", options->json, "Report as JSON");
   command->callback([options] { run(*options); });
 }

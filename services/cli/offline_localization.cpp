@@ -59,6 +59,7 @@ class Run {
     kidnap(scan->time);
     const double before = thread_cpu_ms();
     const auto pose = localizer_.add_scan(*scan);
+    result.faults = localizer_.faults();
     if (!pose) return;
     result.update_ms.push_back(thread_cpu_ms() - before);
     result.poses.push_back({{pose->time, pose->map_from_base}, pose->covariance, pose->status});

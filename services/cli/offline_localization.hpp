@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "services/localization/core/input_faults.hpp"
 #include "services/localization/core/localization_config.hpp"
 #include "services/localization/core/trajectory_errors.hpp"
 #include "services/mapping/core/occupancy_grid.hpp"
@@ -21,6 +22,7 @@ struct OfflineOptions {
 struct OfflineResult {
   std::vector<EstimatedPose> poses;  ///< one per scan that was used
   std::vector<double> update_ms;     ///< thread CPU time of each of them
+  InputFaults faults;                ///< what could not be used as it came
   std::size_t damaged = 0;           ///< messages that could not be read
 };
 

@@ -11,8 +11,6 @@
 namespace tandem::recorder {
 namespace {
 
-constexpr double kRangeMax_m = 80.0;  ///< of the SICK LMS scanners in these logs
-
 std::int64_t stamp_of(double time_s) {
   return static_cast<std::int64_t>(std::llround(time_s * 1e9));
 }
@@ -24,6 +22,8 @@ std::vector<std::uint8_t> encoded(const carmen::Odometry& odometry, const std::s
   message.odom_from_base().x(odometry.odom_from_base.x);
   message.odom_from_base().y(odometry.odom_from_base.y);
   message.odom_from_base().heading(odometry.odom_from_base.heading);
+  message.velocity().forward_mps(odometry.velocity.forward_mps);
+  message.velocity().turn_rate_radps(odometry.velocity.turn_rate_radps);
   return bus::encode<msg::OdometryPubSubType>(message);
 }
 
@@ -34,7 +34,11 @@ std::vector<std::uint8_t> encoded(const carmen::Scan& scan, const std::string& r
   message.sequence_number(number);
   message.angle_min_rad(scan.angle_min_rad);
   message.angle_increment_rad(scan.angle_increment_rad);
-  message.range_max_m(kRangeMax_m);
+  message.range_min_m(scan.range_min_m);
+  message.range_max_m(scan.range_max_m);
+  message.base_from_laser().x(scan.base_from_laser.x);
+  message.base_from_laser().y(scan.base_from_laser.y);
+  message.base_from_laser().heading(scan.base_from_laser.heading);
   message.ranges_m(scan.ranges_m);
   return bus::encode<msg::LaserScanPubSubType>(message);
 }

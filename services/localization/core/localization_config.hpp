@@ -35,7 +35,6 @@ struct LocalizationConfig {
 
   std::int64_t particles_min = 300;
   std::int64_t particles_max = 2'000;
-  std::int64_t particles_global = 20'000;
   double kld_error = 0.05;      ///< The particle count keeps the filter's error below this ...
   double kld_quantile = 2.33;   ///< ... at this quantile of the standard normal (2.33: 99 %).
   double resample_below = 0.5;  ///< Effective share of particles below which they are drawn anew.
@@ -46,15 +45,25 @@ struct LocalizationConfig {
   double refine_loss_m = 0.1;       ///< Residual where the robust loss begins to flatten.
   double prior_deviation_m = 0.15;  ///< The filter's pose holds the refined one this loosely.
   double prior_deviation_rad = 0.1;
+  std::int64_t window_scans = 3;      ///< Poses refined together; 0: the filter alone.
+  double refine_beam_weight = 0.5;    ///< ... each beam counting as this much of one: neighbours err together.
+  double map_deviation_cells = 0.05;  ///< How wrong a map is whatever scans say, for the covariance [its cells].
 
-  double fit_distance_m = 0.2;  ///< A beam fits the map when it ends this close to a wall.
-  double agreement_ok = 0.7;    ///< Share of fitting beams from which a pose is believed.
+  double fit_distance_m = 0.2;  ///< A beam fits the map when it ends this close to a wall and came through none.
+  double agreement_ok = 0.65;   ///< Share of fitting beams from which a pose is believed.
   double lost_after_s = 2.0;    ///< Below agreement_ok for this long: lost.
+  double doubt_below = 0.75;    ///< When the mean of the last scans is below, other places are looked at too ...
+  double doubt_every_m = 2.0;   ///< ... each time the robot drove this far ...
+  double doubt_score = 0.08;    ///< ... and one that explains the last metres better by this is believed possible.
 
-  double search_below = 0.9;         ///< Share of fitting beams below which the surroundings are searched.
+  double panorama_way_m = 3.5;         ///< The scans of this way, together, are looked for on the whole map.
+  double place_weight_per_score = 40;  ///< Log weight that a place gains by a score of 1 (all ends on walls).
+  double place_certain_weight = 0.9;   ///< A place with this share of all weight ...
+  double place_certain_m = 1.0;        ///< ... over this way is believed.
+
+  double search_below = 0.85;        ///< Share of fitting beams below which the surroundings are searched.
   double search_window_m = 1.2;      ///< Half the side of the square searched when the scan does not fit ...
   double search_window_rad = 0.3;    ///< ... and the turn each way.
-  double search_wide_m = 3.0;        ///< The same once it has not fitted for lost_after_s.
   double search_prior_weight = 0.3;  ///< What leaving the prediction by a whole window costs [log likelihood/beam].
 
   template <typename Visitor>
@@ -83,7 +92,6 @@ struct LocalizationConfig {
     visitor.field("beam_weight", beam_weight, Range{0.001, 1.0});
     visitor.field("particles_min", particles_min, Range{10, 100'000});
     visitor.field("particles_max", particles_max, Range{10, 100'000});
-    visitor.field("particles_global", particles_global, Range{10, 1'000'000});
     visitor.field("kld_error", kld_error, Range{0.001, 0.5});
     visitor.field("kld_quantile", kld_quantile, Range{0.5, 5.0});
     visitor.field("resample_below", resample_below, share);
@@ -93,13 +101,22 @@ struct LocalizationConfig {
     visitor.field("refine_loss_m", refine_loss_m, length_m);
     visitor.field("prior_deviation_m", prior_deviation_m, length_m);
     visitor.field("prior_deviation_rad", prior_deviation_rad, length_m);
+    visitor.field("window_scans", window_scans, Range{0, 20});
+    visitor.field("refine_beam_weight", refine_beam_weight, Range{0.001, 1.0});
+    visitor.field("map_deviation_cells", map_deviation_cells, Range{0.0, 10.0});
     visitor.field("fit_distance_m", fit_distance_m, length_m);
     visitor.field("agreement_ok", agreement_ok, share);
     visitor.field("lost_after_s", lost_after_s, Range{0.0, 60.0});
+    visitor.field("doubt_below", doubt_below, share);
+    visitor.field("doubt_every_m", doubt_every_m, Range{0.1, 100.0});
+    visitor.field("doubt_score", doubt_score, share);
+    visitor.field("panorama_way_m", panorama_way_m, Range{0.1, 50.0});
+    visitor.field("place_weight_per_score", place_weight_per_score, Range{1.0, 1000.0});
+    visitor.field("place_certain_weight", place_certain_weight, Range{0.5, 1.0});
+    visitor.field("place_certain_m", place_certain_m, Range{0.0, 100.0});
     visitor.field("search_below", search_below, share);
     visitor.field("search_window_m", search_window_m, Range{0.05, 20.0});
     visitor.field("search_window_rad", search_window_rad, Range{0.01, 3.2});
-    visitor.field("search_wide_m", search_wide_m, Range{0.05, 20.0});
     visitor.field("search_prior_weight", search_prior_weight, Range{0.0, 100.0});
   }
 };

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "services/localization/core/beams.hpp"
+#include "services/localization/core/scan_agreement.hpp"
 #include "services/localization/core/scan_search.hpp"
 
 namespace tandem {
@@ -14,10 +16,35 @@ constexpr double kFieldReachM = 2.0;       ///< Distances beyond this say nothin
 constexpr std::size_t kMinReturns = 20;    ///< Fewer beams do not tell one place from another.
 constexpr double kClearlyBetter = 0.05;    ///< Gain of agreement for which a searched pose is taken.
 constexpr double kSearchedShare = 0.5;     ///< Share of the particles put at a searched pose.
-constexpr double kSoughtShare = 0.1;       ///< Share of the particles thrown over the whole map while lost.
+constexpr double kSlipM = 0.3;             ///< A correction this large is motion that the wheels missed.
+constexpr double kNewScanShare = 0.2;      ///< Weight of the newest scan in the mean agreement.
 constexpr double kHintDeviationRad = 0.3;  ///< How well a person tells a heading.
 constexpr double kAnyHeadingRad = 4.0;     ///< Wrapped, as good as uniform.
+constexpr double kStuckM = 0.3;            ///< A laser cannot see the very same over this way.
+constexpr double kFastestMps = 5.0;        ///< No robot of ours drives faster, ...
+constexpr double kFastestRadps = 8.0;      ///< ... or turns faster.
+constexpr double kShortestS = 0.1;         ///< Stamps of samples close together are not exact.
+constexpr double kNever = -1e9;            ///< [m] on the way
 constexpr double kOneHypothesis = 0.9;     ///< Weight of a group that leaves no doubt.
+
+PlaceFinderOptions finder_options(const LocalizationConfig& config) {
+  PlaceFinderOptions options;
+  options.panorama.way_m = config.panorama_way_m;
+  options.weight_per_score = config.place_weight_per_score;
+  options.certain_weight = config.place_certain_weight;
+  options.certain_after_m = config.place_certain_m;
+  return options;
+}
+
+WindowOptions window_options(const LocalizationConfig& config, double resolution_m) {
+  return {.scans = static_cast<std::size_t>(config.window_scans),
+          .older_beams = static_cast<std::size_t>(config.filter_beams),
+          .loss_m = config.refine_loss_m,
+          .beam_weight = config.refine_beam_weight,
+          .map_deviation_m = config.map_deviation_cells * resolution_m,
+          .prior_deviation_m = config.prior_deviation_m,
+          .prior_deviation_rad = config.prior_deviation_rad};
+}
 
 MotionNoise noise_of(const LocalizationConfig& config) {
   return {config.forward_per_m, config.sideways_per_m, config.turn_per_rad,
@@ -40,6 +67,8 @@ Localizer::Localizer(OccupancyGrid map, const LocalizationConfig& config)
       map_(std::move(map)),
       distances_(map_, kFieldReachM),
       likelihoods_(map_, distances_, BeamModel{config.hit_deviation_m, config.random_share}),
+      finder_(map_, likelihoods_, finder_options(config)),
+      window_(distances_, window_options(config, map_.resolution_m())),
       rng_(static_cast<std::uint64_t>(config.seed)),
       odometry_(from_seconds(config.odometry_max_age_s)),
       monitor_(config.agreement_ok, from_seconds(config.lost_after_s)) {}
@@ -64,27 +93,50 @@ void Localizer::apply_hint() {
   particles_ = particles_around(map_from_base, hint_->standard_deviation_m, deviation_rad,
                                 static_cast<std::size_t>(config_.particles_max), rng_);
   last_fit_.reset();
+  window_.restart();
   monitor_.reset();
+  trusted_ = true;
+  mean_agreement_ = 1.0;
+  probation_from_m_ = kNever;
   hint_.reset();
 }
 
 void Localizer::start_at(const OdometrySample& odometry) {
-  if (is_started()) return;
+  if (!particles_.empty()) return;
   last_ = odometry;
   if (config_.start.size() == 3) {
     particles_ = particles_around({config_.start[0], config_.start[1], config_.start[2]}, config_.start_deviation_m,
                                   config_.start_deviation_m, static_cast<std::size_t>(config_.particles_max), rng_);
-  } else if (config_.start_globally) {
-    particles_ = particles_everywhere(map_, static_cast<std::size_t>(config_.particles_global), rng_);
   }
 }
 
-void Localizer::predict(const OdometrySample& odometry) {
+std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odometry) {
   Pose2 motion;  // across a break of the odometry: none that is known
-  if (last_->epoch == odometry.epoch) motion = inverse(last_->odom_from_base) * odometry.odom_from_base;
+  bool known = last_->epoch == odometry.epoch;
+  if (known) {
+    motion = inverse(last_->odom_from_base) * odometry.odom_from_base;
+    const double seconds = std::max(kShortestS, to_seconds(odometry.time - last_->time));
+    if (motion.position().norm() > kFastestMps * seconds || std::abs(motion.heading) > kFastestRadps * seconds) {
+      faults_.add(InputFault::OdometryJump);
+      motion = {};
+      known = false;
+    }
+  }
+  if (!known) {
+    window_.restart();
+    finder_.forget();
+  }
   const double factor = odometry.time < distrust_until_ ? config_.distrust_factor : 1.0;
-  move(particles_, motion, deviation_of(motion, noise_of(config_).times(factor)), rng_);
+  const MotionDeviation deviation = deviation_of(motion, noise_of(config_).times(factor));
+  move(particles_, motion, deviation, rng_);
   last_ = odometry;
+  return {motion, deviation};
+}
+
+Localizer::Fit Localizer::tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation) {
+  RefinedPose pose{group.map_from_base, group.covariance};
+  if (config_.window_scans > 0) pose = window_.add(group.map_from_base, endpoints_, motion, deviation);
+  return {pose, agreement_at(pose.map_from_base)};
 }
 
 Localizer::Fit Localizer::fit_at(const Pose2& map_from_base) const {
@@ -94,32 +146,92 @@ Localizer::Fit Localizer::fit_at(const Pose2& map_from_base) const {
                                   .prior_deviation_m = config_.prior_deviation_m,
                                   .prior_deviation_rad = config_.prior_deviation_rad};
   const RefinedPose refined = refine_pose(distances_, endpoints_, map_from_base, options);
-  return {refined, agreement_of(distances_, refined.map_from_base, endpoints_, config_.fit_distance_m)};
+  return {refined, agreement_at(refined.map_from_base)};
+}
+
+double Localizer::agreement_at(const Pose2& map_from_base) const {
+  return agreement_of(map_, distances_, map_from_base, laser_in_base_, endpoints_, config_.fit_distance_m);
 }
 
 Localizer::Fit Localizer::corrected(Fit fit, Time time) {
-  if (fit.agreement >= config_.search_below) return fit;
-  SearchWindow window{.half_side_m = config_.search_window_m,
-                      .half_turn_rad = config_.search_window_rad,
-                      .prior_weight = config_.search_prior_weight};
-  if (status_ == LocalizationStatus::Lost) {
-    window.half_side_m = config_.search_wide_m;
-    window.step_m = 0.2;
-  }
+  slipped_ = false;
+  if (fit.agreement >= config_.search_below || !trusted_) return fit;  // lost: the finder looks everywhere
+  const SearchWindow window{.half_side_m = config_.search_window_m,
+                            .half_turn_rad = config_.search_window_rad,
+                            .prior_weight = config_.search_prior_weight};
   const Pose2 found = best_pose_in_window(likelihoods_, few_endpoints_, fit.pose.map_from_base, window);
   const Fit searched = fit_at(found);
   if (searched.agreement < fit.agreement + kClearlyBetter) return fit;
+  slipped_ = (searched.pose.map_from_base.position() - fit.pose.map_from_base.position()).norm() > kSlipM;
+  window_.restart();
   gather(particles_, kSearchedShare, searched.pose.map_from_base, 0.1, 0.05, rng_);
   normalise(particles_);
   distrust_until_ = time + from_seconds(config_.distrust_s);
   return searched;
 }
 
-void Localizer::seek_everywhere() {
-  const auto count = static_cast<std::size_t>(kSoughtShare * static_cast<double>(particles_.size()));
-  const Particles sought = particles_everywhere(map_, count, rng_);
-  std::copy(sought.begin(), sought.end(), particles_.end() - static_cast<std::ptrdiff_t>(sought.size()));
-  normalise(particles_);
+void Localizer::remember(const OdometrySample& odometry, bool broken) {
+  if (broken) finder_.forget();
+  finder_.add(odometry, endpoints_);
+}
+
+bool Localizer::is_in_doubt() {
+  if (!trusted_) return true;
+  if (mean_agreement_ >= config_.doubt_below || finder_.way_m() - doubted_at_m_ < config_.doubt_every_m) return false;
+  doubted_at_m_ = finder_.way_m();
+  return true;
+}
+
+Localizer::Fit Localizer::settled_at(const Pose2& place) const {
+  const SearchWindow window{.half_side_m = 0.4, .half_turn_rad = 0.1, .prior_weight = 0.1};
+  return fit_at(best_pose_in_window(likelihoods_, few_endpoints_, place, window));
+}
+
+void Localizer::believe(const Fit& fit) {
+  particles_ =
+      particles_around(fit.pose.map_from_base, 0.1, 0.05, static_cast<std::size_t>(config_.particles_max), rng_);
+  window_.restart();
+  monitor_.reset();
+  status_ = LocalizationStatus::Ok;
+  trusted_ = true;
+  mean_agreement_ = 1.0;
+  probation_from_m_ = kNever;
+}
+
+Localizer::Fit Localizer::judged(Fit fit, const OdometrySample& odometry) {
+  const bool was_ok = status_ == LocalizationStatus::Ok;
+  status_ = monitor_.add(odometry.time, fit.agreement);
+  mean_agreement_ += kNewScanShare * (fit.agreement - mean_agreement_);
+  if (status_ == LocalizationStatus::Lost) trusted_ = false;
+  remember(odometry, was_ok && (slipped_ || status_ != LocalizationStatus::Ok));
+  if (slipped_ || status_ != LocalizationStatus::Ok) probation_from_m_ = finder_.way_m();
+  if (!is_in_doubt()) return fit;
+
+  const Finding& finding = finder_.find();
+  if (finding.places.empty()) return fit;
+  const Pose2& place = finding.places.front().map_from_base;
+  const bool is_elsewhere = !PlaceFinder::is_same(place, fit.pose.map_from_base);
+  if (trusted_) {
+    const double gain = finding.score - finder_.score_at(fit.pose.map_from_base);
+    if (is_elsewhere && gain > config_.doubt_score) trusted_ = false;
+  } else if (finding.certain) {
+    const Fit there = is_elsewhere ? settled_at(place) : fit;
+    if (there.agreement < config_.agreement_ok) return fit;
+    believe(there);
+    return there;
+  }
+  return fit;
+}
+
+std::optional<LocalizationResult> Localizer::sought(const OdometrySample& odometry) {
+  last_ = odometry;
+  remember(odometry, false);
+  const Finding& finding = finder_.find();
+  if (finding.places.empty()) return std::nullopt;
+  const Fit fit = settled_at(finding.places.front().map_from_base);
+  status_ = LocalizationStatus::Uncertain;
+  if (finding.certain && fit.agreement >= config_.agreement_ok) believe(fit);
+  return result_of(fit, {finding.places.begin() + 1, finding.places.end()});
 }
 
 void Localizer::resample(const Fit& fit) {
@@ -130,10 +242,26 @@ void Localizer::resample(const Fit& fit) {
     particles_ = resampled(particles_, static_cast<std::size_t>(count), rng_);
     if (fit.agreement >= config_.agreement_ok) {
       gather(particles_, config_.refined_share, fit.pose.map_from_base, 0.03, 0.015, rng_);
-    } else if (status_ == LocalizationStatus::Lost) {
-      seek_everywhere();
     }
   }
+}
+
+std::nullopt_t Localizer::refused(InputFault fault) {
+  faults_.add(fault);
+  return std::nullopt;
+}
+
+bool Localizer::is_stuck(const LaserScan& scan, const OdometrySample& odometry) {
+  // Bytes, not numbers: NaN is not equal to itself.
+  const auto bytes = [](const std::vector<float>& ranges) { return std::as_bytes(std::span{ranges}); };
+  const auto now = bytes(scan.ranges_m);
+  const auto before = bytes(seen_ranges_m_);
+  if (!std::equal(now.begin(), now.end(), before.begin(), before.end())) {
+    seen_ranges_m_ = scan.ranges_m;
+    seen_at_ = odometry.odom_from_base;
+    return false;
+  }
+  return (odometry.odom_from_base.position() - seen_at_.position()).norm() > kStuckM;
 }
 
 std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
@@ -141,60 +269,76 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   ++scan_count_;
   if (thinned_out) return std::nullopt;  // as if it had never been there
   const auto odometry = odometry_.at(scan.time);
-  if (!odometry) return std::nullopt;
+  if (!odometry) return refused(InputFault::ScanWithoutOdometry);
+  if (last_ && scan.time < last_->time) return refused(InputFault::ScanOutOfOrder);
   start_at(*odometry);
   apply_hint();
   if (!is_started()) return std::nullopt;
+  laser_in_base_ = scan.base_from_laser.position();
   endpoints_ = selected_endpoints(scan, static_cast<std::size_t>(config_.refine_beams), config_.range_limit_m,
                                   odometry->velocity);
-  if (endpoints_.size() < kMinReturns) return std::nullopt;
+  if (endpoints_.size() < kMinReturns) return refused(InputFault::ScanWithTooFewReturns);
+  if (is_stuck(scan, *odometry)) return refused(InputFault::ScanStuck);
   few_endpoints_ = thinned(endpoints_, static_cast<std::size_t>(config_.filter_beams));
 
+  if (particles_.empty()) return sought(*odometry);
   if (auto resting = result_at_rest(*odometry)) return resting;
 
-  predict(*odometry);
+  const auto [motion, deviation] = predict(*odometry);
   weigh(particles_, likelihoods_, few_endpoints_, config_.beam_weight);
   const auto groups = clusters(particles_, 3);
-  const Fit fit = corrected(fit_at(groups.front().map_from_base), scan.time);
-  status_ = monitor_.add(scan.time, fit.agreement);
+  const Fit fit = judged(corrected(tracked(groups.front(), motion, deviation), scan.time), *odometry);
   resample(fit);
   last_fit_ = fit;
-  return result_of(fit, groups);
+  return result_of(fit, other_places(fit, groups));
+}
+
+std::vector<PoseHypothesis> Localizer::other_places(const Fit& fit, const std::vector<Cluster>& groups) const {
+  std::vector<PoseHypothesis> others;
+  if (!trusted_) {
+    for (const PoseHypothesis& place : finder_.last_finding().places) {
+      if (!PlaceFinder::is_same(place.map_from_base, fit.pose.map_from_base)) others.push_back(place);
+    }
+  } else if (groups.front().weight < kOneHypothesis) {
+    for (std::size_t i = 1; i < groups.size(); ++i) others.push_back({groups[i].map_from_base, groups[i].weight});
+  }
+  return others;
 }
 
 std::optional<LocalizationResult> Localizer::result_at_rest(const OdometrySample& odometry) {
-  if (!last_fit_ || status_ != LocalizationStatus::Ok || last_->epoch != odometry.epoch) return std::nullopt;
+  if (!last_fit_ || status_ != LocalizationStatus::Ok || !trusted_ || last_->epoch != odometry.epoch) {
+    return std::nullopt;
+  }
   const Pose2 motion = inverse(last_->odom_from_base) * odometry.odom_from_base;
   if (motion.position().norm() >= config_.min_motion_m || std::abs(motion.heading) >= config_.min_turn_rad) {
     return std::nullopt;
   }
   Fit fit = *last_fit_;
   fit.pose.map_from_base = fit.pose.map_from_base * motion;
-  fit.agreement = agreement_of(distances_, fit.pose.map_from_base, endpoints_, config_.fit_distance_m);
+  fit.agreement = agreement_at(fit.pose.map_from_base);
   if (fit.agreement < config_.agreement_ok) return std::nullopt;
   LocalizationResult result = result_of(fit, {});
   result.time = odometry.time;
   return result;
 }
 
-LocalizationResult Localizer::result_of(const Fit& fit, const std::vector<Cluster>& groups) const {
+LocalizationResult Localizer::result_of(const Fit& fit, const std::vector<PoseHypothesis>& others) const {
   LocalizationResult result{.time = last_->time,
                             .odometry_epoch = last_->epoch,
                             .map_from_base = fit.pose.map_from_base,
                             .covariance = fit.pose.covariance,
                             .agreement = fit.agreement,
                             .status = status_,
-                            .hypotheses = {}};
-  const double certainty = groups.empty() ? 1.0 : groups.front().weight;
-  result.hypotheses.push_back({fit.pose.map_from_base, certainty});
-  if (certainty >= kOneHypothesis) {
-    result.hypotheses.front().weight = 1.0;
-    return result;
+                            .hypotheses = {{fit.pose.map_from_base, 1.0}}};
+  for (const PoseHypothesis& other : others) {
+    result.hypotheses.front().weight -= other.weight;
+    result.hypotheses.push_back(other);
   }
-  for (std::size_t i = 1; i < groups.size(); ++i) {
-    result.hypotheses.push_back({groups[i].map_from_base, groups[i].weight});
-  }
-  if (result.status == LocalizationStatus::Ok) result.status = LocalizationStatus::Uncertain;
+  const bool on_probation = finder_.way_m() - probation_from_m_ < config_.place_certain_m;
+  const bool doubtful = !others.empty() || !trusted_ || on_probation;
+  if (doubtful && result.status == LocalizationStatus::Ok) result.status = LocalizationStatus::Uncertain;
+  std::stable_sort(result.hypotheses.begin(), result.hypotheses.end(),
+                   [](const PoseHypothesis& a, const PoseHypothesis& b) { return a.weight > b.weight; });
   return result;
 }
 

@@ -2,18 +2,22 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "services/common/pose2.hpp"
 #include "services/common/random.hpp"
 #include "services/common/time.hpp"
 #include "services/localization/core/agreement_monitor.hpp"
+#include "services/localization/core/input_faults.hpp"
 #include "services/localization/core/laser_scan.hpp"
 #include "services/localization/core/likelihood_field.hpp"
 #include "services/localization/core/localization_config.hpp"
 #include "services/localization/core/odometry_history.hpp"
 #include "services/localization/core/particles.hpp"
+#include "services/localization/core/place_finder.hpp"
 #include "services/localization/core/pose_refinement.hpp"
+#include "services/localization/core/sliding_window.hpp"
 #include "services/mapping/core/distance_field.hpp"
 #include "services/mapping/core/occupancy_grid.hpp"
 
@@ -25,12 +29,6 @@ struct PoseHint {
   Pose2 map_from_base;
   bool heading_known = true;
   double standard_deviation_m = 0.5;
-};
-
-/// One place where the robot may be.
-struct PoseHypothesis {
-  Pose2 map_from_base;
-  double weight = 0.0;  ///< [0, 1]
 };
 
 /// Where the robot was at the time of a scan.
@@ -59,8 +57,11 @@ class Localizer {
   /// The robot is about there: at the next scan particles gather around it, and that scan decides.
   void add_hint(const PoseHint& hint);
 
+  /// What came in that could not be used as it was.
+  [[nodiscard]] const InputFaults& faults() const { return faults_; }
+
   /// Does it follow a pose, right or wrong?
-  [[nodiscard]] bool is_started() const { return !particles_.empty(); }
+  [[nodiscard]] bool is_started() const { return !particles_.empty() || config_.start_globally; }
 
  private:
   struct Fit {
@@ -68,21 +69,42 @@ class Localizer {
     double agreement = 0.0;
   };
 
+  /// Takes notice of `fault`: there is no pose for this scan.
+  std::nullopt_t refused(InputFault fault);
+  [[nodiscard]] bool is_stuck(const LaserScan& scan, const OdometrySample& odometry);
   void start_at(const OdometrySample& odometry);
   void apply_hint();
-  void predict(const OdometrySample& odometry);
+  /// Moves the particles; the motion and how wrong it may be.
+  std::pair<Pose2, MotionDeviation> predict(const OdometrySample& odometry);
+  /// The filter's pose, refined together with the last ones.
+  [[nodiscard]] Fit tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation);
   [[nodiscard]] Fit fit_at(const Pose2& map_from_base) const;
+  [[nodiscard]] double agreement_at(const Pose2& map_from_base) const;
+  /// `fit`, or a pose near it that fits much better: wheels missed some motion.
   [[nodiscard]] Fit corrected(Fit fit, Time time);
+  /// Keeps the panorama: it must not hold what was seen from two places with an unknown motion between.
+  void remember(const OdometrySample& odometry, bool broken);
+  /// Takes the agreement of `fit`, and decides whether it is still the place.
+  [[nodiscard]] Fit judged(Fit fit, const OdometrySample& odometry);
+  [[nodiscard]] bool is_in_doubt();
+  /// The pose at a place that was found, by the scan at hand.
+  [[nodiscard]] Fit settled_at(const Pose2& place) const;
+  void believe(const Fit& fit);
   void resample(const Fit& fit);
-  void seek_everywhere();
+  /// Without a start pose: what the finder says, until it is certain.
+  [[nodiscard]] std::optional<LocalizationResult> sought(const OdometrySample& odometry);
   /// The result where a robot that stands still learns nothing new; none if it moves or the scan does not fit.
   [[nodiscard]] std::optional<LocalizationResult> result_at_rest(const OdometrySample& odometry);
-  [[nodiscard]] LocalizationResult result_of(const Fit& fit, const std::vector<Cluster>& groups) const;
+  /// Where else it may be; none when the place is beyond doubt.
+  [[nodiscard]] std::vector<PoseHypothesis> other_places(const Fit& fit, const std::vector<Cluster>& groups) const;
+  [[nodiscard]] LocalizationResult result_of(const Fit& fit, const std::vector<PoseHypothesis>& others) const;
 
   LocalizationConfig config_;
   OccupancyGrid map_;
   DistanceField distances_;
   LikelihoodField likelihoods_;
+  PlaceFinder finder_;
+  SlidingWindow window_;
   Rng rng_;
   OdometryHistory odometry_;
   AgreementMonitor monitor_;
@@ -91,8 +113,17 @@ class Localizer {
   std::optional<OdometrySample> last_;  ///< where the wheels were when the particles were last moved
   std::optional<Fit> last_fit_;         ///< the pose then
   Time distrust_until_{Duration::min()};
-  std::optional<PoseHint> hint_;  ///< not yet applied
+  bool trusted_ = true;             ///< is the place beyond doubt, whatever the last scan says?
+  bool slipped_ = false;            ///< did the last scan show motion that the wheels missed?
+  double mean_agreement_ = 1.0;     ///< of the last scans
+  double probation_from_m_ = -1e9;  ///< finder_.way_m() when a scan last did not fit, or showed missed motion
+  double doubted_at_m_ = 0.0;       ///< finder_.way_m() when other places were last looked at
+  std::optional<PoseHint> hint_;    ///< not yet applied
+  InputFaults faults_;
+  std::vector<float> seen_ranges_m_;  ///< of the last scan that differed from the one before ...
+  Pose2 seen_at_;                     ///< ... and where the wheels were then
   std::int64_t scan_count_ = 0;
+  Eigen::Vector2d laser_in_base_ = Eigen::Vector2d::Zero();
   std::vector<Eigen::Vector2d> endpoints_;      ///< of the scan at hand, in the base frame
   std::vector<Eigen::Vector2d> few_endpoints_;  ///< those that weigh the particles
 };

@@ -64,15 +64,4 @@ RefinedPose refine_pose(const DistanceField& field, std::span<const Eigen::Vecto
   return {{parameters[0], parameters[1], wrap_to_pi(parameters[2])}, information.inverse()};
 }
 
-double agreement_of(const DistanceField& field, const Pose2& map_from_base,
-                    std::span<const Eigen::Vector2d> endpoints_in_base, double fit_distance_m) {
-  if (endpoints_in_base.empty()) return 0.0;
-  std::size_t fitting = 0;
-  for (const Eigen::Vector2d& endpoint : endpoints_in_base) {
-    const Eigen::Vector2d endpoint_in_map = map_from_base * endpoint;
-    if (field.contains(endpoint_in_map) && field.nearest(endpoint_in_map) <= fit_distance_m) ++fitting;
-  }
-  return static_cast<double>(fitting) / static_cast<double>(endpoints_in_base.size());
-}
-
 }  // namespace tandem

@@ -29,8 +29,4 @@ struct RefinedPose {
 [[nodiscard]] RefinedPose refine_pose(const DistanceField& field, std::span<const Eigen::Vector2d> endpoints_in_base,
                                       const Pose2& prior, const RefinementOptions& options);
 
-/// Share of the endpoints that lie within `fit_distance_m` of a wall, with the base at `map_from_base`; 0 for none.
-[[nodiscard]] double agreement_of(const DistanceField& field, const Pose2& map_from_base,
-                                  std::span<const Eigen::Vector2d> endpoints_in_base, double fit_distance_m);
-
 }  // namespace tandem

@@ -21,12 +21,16 @@ class LogError : public std::runtime_error {
 struct Odometry {
   double time_s = 0.0;   ///< as in the log
   Pose2 odom_from_base;  ///< by the wheels alone
+  Twist2 velocity{};     ///< where the log tells it
 };
 struct Scan {
   double time_s = 0.0;
   double angle_min_rad = 0.0;  ///< of the first beam, to the right of the robot; counter-clockwise positive
   double angle_increment_rad = 0.0;
-  std::vector<float> ranges_m;  ///< NaN: no return
+  std::vector<float> ranges_m{};  ///< NaN: no return
+  double range_min_m = 0.0;
+  double range_max_m = 80.0;  ///< of the SICK LMS scanners in CARMEN logs
+  Pose2 base_from_laser{};
 };
 using Event = std::variant<Odometry, Scan>;
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/services/localization/room.hpp"
 
 namespace tandem {
@@ -61,6 +63,25 @@ TEST(Localizer, GivesTheSamePosesForTheSameInputs) {
     const auto b = other.step();
     ASSERT_EQ(a->map_from_base, b->map_from_base);
     ASSERT_EQ(a->covariance, b->covariance);
+  }
+}
+
+TEST(Localizer, TurnsWithTheWorld) {
+  const Pose2 turn{4.0, -7.0, 1.0};
+  Drive straight{started()};
+  LocalizationConfig config;
+  const Pose2 start = turn * Pose2{2.5, 1.2, 0.0};
+  config.start = {start.x, start.y, start.heading};
+  OccupancyGrid map{straight.map_.width(), straight.map_.height(), straight.map_.resolution_m(), turn};
+  std::copy(straight.map_.cells().begin(), straight.map_.cells().end(), map.cells().begin());
+  Localizer turned{map, config};
+  for (int i = 0; i < 40; ++i) {
+    const auto a = straight.step(1.1);
+    turned.add_odometry({straight.time_, straight.odom_from_base_, {}, 0});
+    const auto b = turned.add_scan(test::scan_from(straight.map_, straight.map_from_base_, straight.time_));
+    const Pose2 expected = turn * a->map_from_base;
+    ASSERT_LT((b->map_from_base.position() - expected.position()).norm(), 0.01) << "step " << i;
+    ASSERT_LT(std::abs(turn_between(b->map_from_base.heading, expected.heading)), 0.005) << "step " << i;
   }
 }
 
@@ -136,6 +157,36 @@ TEST(Localizer, SaysThatItIsLostWhenScansDoNotFit) {
   EXPECT_EQ(result.status, LocalizationStatus::Lost);
 }
 
+TEST(Localizer, FindsItselfAnywhereAndSaysWhenItIsSure) {
+  LocalizationConfig config;
+  config.start_globally = true;
+  Drive drive{config};
+
+  EXPECT_EQ(drive.step()->status, LocalizationStatus::Uncertain);
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 40; ++i) {
+    result = drive.step();
+    ASSERT_TRUE(result);
+    const bool ok = result->status == LocalizationStatus::Ok;
+    ASSERT_TRUE(!ok || drive.error_m(*result) < 0.3) << "step " << i;
+  }
+  EXPECT_EQ(result->status, LocalizationStatus::Ok);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
+TEST(Localizer, FindsItselfAgainAfterItWasCarriedAway) {
+  Drive drive{started()};
+  for (int i = 0; i < 10; ++i) (void)drive.step();
+
+  drive.map_from_base_ = {2.0, 2.6, 2.8};  // the wheels stood still
+
+  EXPECT_NE(drive.step()->status, LocalizationStatus::Ok);
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 126; ++i) result = drive.step();  // once round the circle
+  EXPECT_EQ(result->status, LocalizationStatus::Ok);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
 TEST(Localizer, UsesOddScansAloneWhereAsked) {
   LocalizationConfig config = started();
   config.scans = "odd";
@@ -155,6 +206,64 @@ TEST(Localizer, LeavesOutAScanWithoutOdometryOrReturns) {
   LaserScan blind = test::scan_from(drive.map_, drive.map_from_base_, drive.time_);
   blind.ranges_m.assign(blind.ranges_m.size(), std::numeric_limits<float>::quiet_NaN());
   EXPECT_FALSE(drive.localizer_.add_scan(blind));
+  EXPECT_EQ(drive.localizer_.faults().count(InputFault::ScanWithoutOdometry), 1U);
+  EXPECT_EQ(drive.localizer_.faults().count(InputFault::ScanWithTooFewReturns), 1U);
+}
+
+TEST(Localizer, LeavesOutAScanThatComesTooLate) {
+  Drive drive{started()};
+  (void)drive.step();
+  const LaserScan late = test::scan_from(drive.map_, drive.map_from_base_, drive.time_);
+  const auto before = drive.step();
+
+  EXPECT_FALSE(drive.localizer_.add_scan(late));
+  EXPECT_EQ(drive.localizer_.faults().count(InputFault::ScanOutOfOrder), 1U);
+  EXPECT_LT((drive.look()->map_from_base.position() - before->map_from_base.position()).norm(), 0.01);
+}
+
+TEST(Localizer, GivesNoPoseForALaserThatIsStuck) {
+  Drive drive{started()};
+  (void)drive.step();
+  LaserScan stuck = test::scan_from(drive.map_, drive.map_from_base_, drive.time_);
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 12; ++i) {  // 0.6 m
+    drive.time_ += from_seconds(0.1);
+    drive.odom_from_base_ = drive.odom_from_base_ * Pose2{0.05, 0.0, 0.0};
+    drive.localizer_.add_odometry({drive.time_, drive.odom_from_base_, {}, 0});
+    stuck.time = drive.time_;
+    result = drive.localizer_.add_scan(stuck);
+  }
+  EXPECT_FALSE(result);
+  EXPECT_GT(drive.localizer_.faults().count(InputFault::ScanStuck), 0U);
+}
+
+TEST(Localizer, TakesAJumpOfTheOdometryAsNoMotion) {
+  Drive drive{started()};
+  for (int i = 0; i < 10; ++i) (void)drive.step();
+
+  drive.odom_from_base_ = {-30.0, 12.0, 1.0};  // without a new epoch
+
+  const auto result = drive.step();
+  EXPECT_EQ(drive.localizer_.faults().count(InputFault::OdometryJump), 1U);
+  EXPECT_LT(drive.error_m(*result), 0.15);
+}
+
+TEST(Localizer, IsNotSureOfAMirroredLaser) {
+  Drive drive{started()};
+  int ok = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Pose2 motion{0.05, 0.0, 0.05};
+    drive.map_from_base_ = drive.map_from_base_ * motion;
+    drive.odom_from_base_ = drive.odom_from_base_ * motion;
+    drive.time_ += from_seconds(0.1);
+    drive.localizer_.add_odometry({drive.time_, drive.odom_from_base_, {}, 0});
+    LaserScan scan = test::scan_from(drive.map_, drive.map_from_base_, drive.time_);
+    std::reverse(scan.ranges_m.begin(), scan.ranges_m.end());
+    const auto result = drive.localizer_.add_scan(scan);
+    const bool wrong = result && drive.error_m(*result) > 0.5;
+    if (wrong && result->status == LocalizationStatus::Ok) ++ok;
+  }
+  EXPECT_EQ(ok, 0);
 }
 
 TEST(Localizer, RestsWithTheRobot) {

@@ -43,13 +43,5 @@ TEST(RefinePose, KeepsToThePriorAlongABlankCorridor) {
   EXPECT_LT(refined.covariance(1, 1), 0.1 * 0.15 * 0.15);
 }
 
-TEST(Agreement, IsTheShareOfBeamsThatEndAtAWall) {
-  const DistanceField field{test::ascii_map({"....#"})};
-
-  EXPECT_DOUBLE_EQ(agreement_of(field, {2.5, 0.5, 0.0}, std::vector<Eigen::Vector2d>{{2.0, 0.0}, {1.0, 0.0}}, 0.2),
-                   0.5);
-  EXPECT_DOUBLE_EQ(agreement_of(field, {2.5, 0.5, 0.0}, {}, 0.2), 0.0);
-}
-
 }  // namespace
 }  // namespace tandem
