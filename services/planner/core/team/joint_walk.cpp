@@ -63,6 +63,11 @@ int JointWalk::next_member(int only) const {
   return next;
 }
 
+double JointWalk::time_left_s(int member) const {
+  const auto m = static_cast<std::size_t>(member);
+  return ground_->problem->members()[m].end_s - members_[m].busy_until_s;
+}
+
 double JointWalk::leg_time_s(int member, const CompactLeg& leg) const {
   const auto m = static_cast<std::size_t>(member);
   const Searcher& searcher = ground_->problem->members()[m].actions->searcher();
@@ -84,13 +89,14 @@ Choice JointWalk::appraised(int member, int place) {
   };
   // Four sums, as each addition waits for the one before it.
   std::array<float, 4> gain{};
-  const std::size_t count = leg.cells.size();
+  const double time_s = leg_time_s(member, leg);
+  const std::size_t count = cells_until(leg, time_left_s(member) - (time_s - leg.duration_s));
   std::size_t i = 0;
   for (; i + 4 <= count; i += 4) {
     for (std::size_t k = 0; k < 4; ++k) gain[k] += shown(i + k);
   }
   for (; i < count; ++i) gain[0] += shown(i);
-  return scored(place, (gain[0] + gain[1]) + (gain[2] + gain[3]), leg_time_s(member, leg));
+  return scored(place, (gain[0] + gain[1]) + (gain[2] + gain[3]), time_s);
 }
 
 Choice JointWalk::appraised_far(int member, int place) {
@@ -103,13 +109,15 @@ Choice JointWalk::appraised_far(int member, int place) {
   for (const int stop : book.actions().joined(from, {&place, 1})) {
     const CompactLeg& leg = book.leg(from, stop);
     if (!leg.possible) continue;
-    for (std::size_t i = 0; i < leg.cells.size(); ++i) {
+    const double leg_s = leg_time_s(member, leg);
+    const std::size_t count = cells_until(leg, time_left_s(member) - time_s - (leg_s - leg.duration_s));
+    for (std::size_t i = 0; i < count; ++i) {
       std::uint32_t& counted = counted_[static_cast<std::size_t>(leg.cells[i])];
       const float mass = mass_[static_cast<std::size_t>(leg.cells[i])];
       if (counted != appraisal_) gain += book.first_sight() ? mass : mass * (1.0F - leg.kept[i]);
       counted = appraisal_;
     }
-    time_s += leg_time_s(member, leg);
+    time_s += leg_s;
     from = stop;
   }
   return scored(place, gain, time_s);
@@ -186,8 +194,10 @@ void JointWalk::go(int member, int place) {
   Progress& progress = members_[m];
   LegBook& book = *ground_->books[m];
   const CompactLeg& leg = book.leg(progress.place, place);
-  mass_left_ -= take_detected(leg, book.first_sight(), mass_);
-  progress.busy_until_s += leg_time_s(member, leg);
+  const double leg_s = leg_time_s(member, leg);
+  const std::size_t cells = cells_until(leg, time_left_s(member) - (leg_s - leg.duration_s));
+  mass_left_ -= take_detected(leg, cells, book.first_sight(), mass_);
+  progress.busy_until_s += leg_s;
   progress.heading_rad = leg.final_heading_rad;
   if (progress.goal_ahead) {
     progress.detour_left_m -= who.actions->distance_m(progress.place, place);

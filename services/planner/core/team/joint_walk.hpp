@@ -54,6 +54,8 @@ class JointWalk {
   [[nodiscard]] Choice appraised(int member, int place);
   /// Of any place.
   [[nodiscard]] Choice appraised_far(int member, int place);
+  /// Until its battery is empty, or the horizon.
+  [[nodiscard]] double time_left_s(int member) const;
   [[nodiscard]] double leg_time_s(int member, const CompactLeg& leg) const;
   void add_far_lookouts(int member);
   [[nodiscard]] float in_view_of(ActionSet& actions, int lookout) const;

@@ -32,9 +32,14 @@ TeamGround team_ground(const PreparedProblem& problem) {
   return ground;
 }
 
-float take_detected(const CompactLeg& leg, bool first_sight, std::vector<float>& mass) {
+std::size_t cells_until(const CompactLeg& leg, double end_s) {
+  if (leg.duration_s <= end_s) return leg.cells.size();
+  return static_cast<std::size_t>(std::ranges::lower_bound(leg.enter_s, end_s) - leg.enter_s.begin());
+}
+
+float take_detected(const CompactLeg& leg, std::size_t cells, bool first_sight, std::vector<float>& mass) {
   float taken = 0.0F;
-  for (std::size_t i = 0; i < leg.cells.size(); ++i) {
+  for (std::size_t i = 0; i < cells; ++i) {
     float& here = mass[static_cast<std::size_t>(leg.cells[i])];
     const float left = first_sight ? 0.0F : here * leg.kept[i];
     taken += here - left;

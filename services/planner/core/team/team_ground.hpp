@@ -20,7 +20,10 @@ struct TeamGround {
 /// `problem` must outlive the ground.
 [[nodiscard]] TeamGround team_ground(const PreparedProblem& problem);
 
-/// Takes from `mass` what is detected on a leg, and gives it.
-float take_detected(const CompactLeg& leg, bool first_sight, std::vector<float>& mass);
+/// How many of its cells come into view on a leg before `end_s` of it.
+[[nodiscard]] std::size_t cells_until(const CompactLeg& leg, double end_s);
+
+/// Takes from `mass` what is detected of the first `cells` cells on a leg, and gives it.
+float take_detected(const CompactLeg& leg, std::size_t cells, bool first_sight, std::vector<float>& mass);
 
 }  // namespace tandem

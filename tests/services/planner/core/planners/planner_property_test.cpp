@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "services/planner/core/planners/peers.hpp"
 #include "services/planner/core/planners/registry.hpp"
 #include "tests/services/planner/support/search_corridor.hpp"
 
@@ -63,7 +62,7 @@ TEST_P(EveryPlanner, T24GoesTheSameRoutesHoweverTheMassesAreScaled) {
     SearchCase search = hall(seed);
     const JointPlan as_it_is = plan(search.problem);
     const std::vector<double> mass = search.problem.masses.front();
-    for (const double scale : {1e-6, 1e6}) {
+    for (const double scale : {0x1p-20, 0x1p20}) {  // powers of two, so that every rounding stays the same
       std::ranges::transform(mass, search.problem.masses.front().begin(), [&](double one) { return scale * one; });
       expect_same(plan(search.problem), as_it_is, "seed " + std::to_string(seed));
     }
@@ -130,9 +129,7 @@ TEST_P(EveryPlanner, T23NobodyGoesOnWhenTheirBatteryIsEmptyAndTheOtherDoes) {
   EXPECT_GT(one.forecast.probability_found, 0.1);
 }
 
-class EveryPeer : public EveryPlanner {};
-
-TEST_P(EveryPeer, T23WhatOneDoesNotReachAnyMoreIsLeftToTheOther) {
+TEST_P(EveryPlanner, T23WhatOneDoesNotReachAnyMoreIsLeftToTheOther) {
   // All of it lies 5.5 m ahead; at 1 m/s the first one gets 1 m far.
   SearchCase search = corridor(2);
   place_mass(search, 2.75, 0.0, 10.25, 1.0);
@@ -262,14 +259,6 @@ TEST_P(EveryPlanner, T24InAMirrorOrTurnedItFindsTheSameInTheSameOrder) {
   }
 }
 
-std::vector<std::string> peer_names() {
-  std::vector<std::string> names;
-  for (const auto& [name, make] : peers()) names.push_back(name);
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(EachByName, EveryPeer, ::testing::ValuesIn(peer_names()),
-                         [](const auto& named) { return named.param; });
 INSTANTIATE_TEST_SUITE_P(EachByName, EveryPlanner, ::testing::ValuesIn(planner_names()),
                          [](const auto& named) { return named.param; });
 

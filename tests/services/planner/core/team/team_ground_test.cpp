@@ -35,8 +35,23 @@ TEST(TeamGround, ALegTakesWhatItDetects) {
   const CompactLeg& leg = search.world().book(0).leg(0, 1);
   std::vector<float> mass(static_cast<std::size_t>(search.world().area().size()), 1.0F);
   const std::set<std::int32_t> different(leg.cells.begin(), leg.cells.end());
-  EXPECT_FLOAT_EQ(take_detected(leg, true, mass), static_cast<float>(different.size()));
-  EXPECT_FLOAT_EQ(take_detected(leg, true, mass), 0.0F);
+  EXPECT_FLOAT_EQ(take_detected(leg, leg.cells.size(), true, mass), static_cast<float>(different.size()));
+  EXPECT_FLOAT_EQ(take_detected(leg, leg.cells.size(), true, mass), 0.0F);
+}
+
+TEST(TeamGround, OfALegThatIsCutShortOnlyWhatWasSeenCounts) {
+  CompactLeg leg;
+  leg.duration_s = 4.0F;
+  leg.cells = {0, 1, 2};
+  leg.enter_s = {0.0F, 1.0F, 3.0F};
+  EXPECT_EQ(cells_until(leg, 4.0), 3U);
+  EXPECT_EQ(cells_until(leg, 3.5), 3U);
+  EXPECT_EQ(cells_until(leg, 3.0), 2U);
+  EXPECT_EQ(cells_until(leg, 0.0), 0U);
+  EXPECT_EQ(cells_until(leg, -1.0), 0U);
+  std::vector<float> mass(3, 1.0F);
+  EXPECT_FLOAT_EQ(take_detected(leg, 2, true, mass), 2.0F);
+  EXPECT_FLOAT_EQ(mass[2], 1.0F);
 }
 
 }  // namespace
