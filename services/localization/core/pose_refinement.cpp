@@ -9,6 +9,7 @@
 #include <deque>
 
 #include "services/localization/core/scan_residual.hpp"
+#include "services/localization/core/solver_setup.hpp"
 
 namespace tandem {
 namespace {
@@ -36,23 +37,12 @@ RefinedPose refine_pose(const DistanceField& field, std::span<const Eigen::Vecto
   PriorResidual prior_residual{prior, per_beam / options.prior_deviation_m, per_beam / options.prior_deviation_rad};
   ceres::CauchyLoss loss{options.loss_m};
 
-  ceres::Problem::Options problem_options;
-  problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  problem_options.disable_all_safety_checks = true;
-  ceres::Problem problem{problem_options};
+  ceres::Problem problem{borrowing_problem()};
   for (ScanResidual& beam : beams) problem.AddResidualBlock(&beam, &loss, parameters);
   problem.AddResidualBlock(&prior_residual, nullptr, parameters);
 
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  solver.max_num_iterations = 12;
-  solver.function_tolerance = 1e-4;
-  solver.parameter_tolerance = 1e-5;
-  solver.num_threads = 1;
-  solver.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
-  ceres::Solve(solver, &problem, &summary);
+  ceres::Solve(small_dense_solver(12), &problem, &summary);
 
   Eigen::Matrix3d information =
       Eigen::Vector3d{std::pow(options.prior_deviation_m, -2), std::pow(options.prior_deviation_m, -2),

@@ -10,6 +10,7 @@
 
 #include "services/localization/core/beams.hpp"
 #include "services/localization/core/scan_residual.hpp"
+#include "services/localization/core/solver_setup.hpp"
 #include "services/localization/core/window_residuals.hpp"
 
 namespace tandem {
@@ -102,11 +103,7 @@ void SlidingWindow::solve() {
   MarginalResidual prior{prior_, unit_m * root};
   ceres::CauchyLoss loss{options_.loss_m};
 
-  ceres::Problem::Options problem_options;
-  problem_options.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  problem_options.disable_all_safety_checks = true;
-  ceres::Problem problem{problem_options};
+  ceres::Problem problem{borrowing_problem()};
   problem.AddResidualBlock(&prior, nullptr, frames_.front().pose.data());
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     Frame& frame = frames_[i];
@@ -118,15 +115,8 @@ void SlidingWindow::solve() {
                              frames_[i - 1].pose.data(), frame.pose.data());
   }
 
-  ceres::Solver::Options solver;
-  solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
-  solver.max_num_iterations = 8;
-  solver.function_tolerance = 1e-4;
-  solver.parameter_tolerance = 1e-5;
-  solver.num_threads = 1;
-  solver.logging_type = ceres::SILENT;
   ceres::Solver::Summary summary;
-  ceres::Solve(solver, &problem, &summary);
+  ceres::Solve(small_dense_solver(8), &problem, &summary);
 }
 
 void SlidingWindow::measure() {
