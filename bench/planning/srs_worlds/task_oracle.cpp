@@ -40,7 +40,7 @@ class Search {
       }
       ++result_.decisions;
       TaskState next = model_.after(state, action);
-      const double bound = pruning_ == OraclePruning::Bound ? bound_(next) : 0.0;
+      const double bound = pruning_ == OraclePruning::Bound ? bound_(next, result_.value) : 0.0;
       all.push_back({std::move(next), bound});
     }
     if (pruning_ == OraclePruning::Bound) {

@@ -10,15 +10,16 @@ constexpr int kRounds = 1;
 constexpr int kSteps = 9;
 constexpr double kGolden = 0.6180339887498949;
 
-/// Where a convex function on [0, high] is lowest, and its value there, by golden section.
+/// Where a convex function on [0, high] is lowest, and its value there, by golden section; not on from a value of at
+/// most `enough`.
 template <typename Function>
-std::pair<double, double> lowest_of(const Function& function, double high) {
+std::pair<double, double> lowest_of(const Function& function, double high, double enough) {
   double low = 0.0;
   double x = high - kGolden * (high - low);
   double y = low + kGolden * (high - low);
   double of_x = function(x);
   double of_y = function(y);
-  for (int i = 0; i < kSteps; ++i) {
+  for (int i = 0; i < kSteps && std::min(of_x, of_y) > enough; ++i) {
     if (of_x <= of_y) {
       high = y;
       y = x;
@@ -67,7 +68,8 @@ double AssignmentBound::priced(const std::vector<PoolItems>& groups, const std::
   return sum;
 }
 
-double AssignmentBound::operator()(const std::vector<PoolItems>& groups, const std::vector<double>& time_left_s) {
+double AssignmentBound::operator()(const std::vector<PoolItems>& groups, const std::vector<double>& time_left_s,
+                                   double enough) {
   price_per_s_.fill(0.0);
   double best = priced(groups, time_left_s);
   double highest = 0.0;
@@ -80,7 +82,7 @@ double AssignmentBound::operator()(const std::vector<PoolItems>& groups, const s
       }
     }
   }
-  if (items < 2) return best;
+  if (items < 2 || best <= enough) return best;
   // One price for all first, then one agent's after the other.
   std::array<double, kMaxTaskAgents> prices{};
   const auto look_for_better = [&](std::size_t first, std::size_t last) {
@@ -90,7 +92,7 @@ double AssignmentBound::operator()(const std::vector<PoolItems>& groups, const s
                 price_per_s_.begin() + static_cast<std::ptrdiff_t>(last), price);
       return priced(groups, time_left_s);
     };
-    const auto [price, value] = lowest_of(at, highest);
+    const auto [price, value] = lowest_of(at, highest, enough);
     if (value >= best) return;
     best = value;
     std::fill(prices.begin() + static_cast<std::ptrdiff_t>(first), prices.begin() + static_cast<std::ptrdiff_t>(last),
@@ -99,7 +101,7 @@ double AssignmentBound::operator()(const std::vector<PoolItems>& groups, const s
   look_for_better(0, time_left_s.size());
   if (time_left_s.size() == 1) return best;
   for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t a = 0; a < time_left_s.size(); ++a) look_for_better(a, a + 1);
+    for (std::size_t a = 0; a < time_left_s.size() && best > enough; ++a) look_for_better(a, a + 1);
   }
   return best;
 }

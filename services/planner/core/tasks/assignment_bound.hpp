@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "services/planner/core/tasks/task_problem.hpp"
@@ -34,8 +35,9 @@ struct PoolItems {
 /// bound is convex in each.
 class AssignmentBound {
  public:
-  /// `time_left_s` [s] by agent.
-  [[nodiscard]] double operator()(const std::vector<PoolItems>& groups, const std::vector<double>& time_left_s);
+  /// `time_left_s` [s] by agent. A bound of at most `enough` is not made any tighter.
+  [[nodiscard]] double operator()(const std::vector<PoolItems>& groups, const std::vector<double>& time_left_s,
+                                  double enough = -std::numeric_limits<double>::infinity());
 
  private:
   [[nodiscard]] double priced(const std::vector<PoolItems>& groups, const std::vector<double>& time_left_s) const;

@@ -260,7 +260,7 @@ double TaskBound::settled_cost(const TaskState& state) const {
   return cost;
 }
 
-double TaskBound::operator()(const TaskState& state) {
+double TaskBound::operator()(const TaskState& state, double enough) {
   if (model_.decider(state) == TaskModel::kNobody) return state.value;
   const ResolvedWorld& world = model_.world();
   find_reaches(state);
@@ -289,7 +289,8 @@ double TaskBound::operator()(const TaskState& state) {
     bound += without_time;
     group.most = most > without_time ? most - without_time : 0.0;
   }
-  bound += assigned_(groups_, time_left_s_);
+  const double slack = kSlack * std::max(1.0, std::abs(enough));
+  bound += assigned_(groups_, time_left_s_, enough - bound - slack);
   return bound + kSlack * std::max(1.0, std::abs(bound));
 }
 

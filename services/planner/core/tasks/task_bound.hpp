@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -19,8 +20,9 @@ class TaskBound {
   /// `model` must outlive it.
   explicit TaskBound(const TaskModel& model);
 
-  /// At least the value of every plan that goes on from `state`, what was drawn so far included.
-  [[nodiscard]] double operator()(const TaskState& state);
+  /// At least the value of every plan that goes on from `state`, what was drawn so far included. A bound of at most
+  /// `enough` is not made any tighter.
+  [[nodiscard]] double operator()(const TaskState& state, double enough = -std::numeric_limits<double>::infinity());
 
  private:
   void find_footprints();

@@ -26,7 +26,7 @@ void TaskBranchAndBound::branch(const TaskState& state, double bound) {
   level.branches.reserve(actions_.size());
   for (const TaskAction& action : actions_) {
     Branch& next = level.branches.emplace_back(action, model_.after(state, action));
-    next.bound = std::min(bound, bound_of_(next.state));
+    next.bound = std::min(bound, bound_of_(next.state, incumbent_.value()));
   }
   credit_ -= static_cast<std::int64_t>(actions_.size());
   std::ranges::stable_sort(level.branches, std::greater{}, &Branch::bound);

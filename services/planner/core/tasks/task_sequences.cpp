@@ -7,7 +7,8 @@ namespace {
 
 using Sequence = std::vector<TaskAction>;
 
-constexpr double kShareWaits = 0.3;  ///< of what is added
+constexpr double kShareWaits = 0.3;       ///< of what is added
+constexpr std::size_t kLongestBlock = 3;  ///< of actions that go elsewhere together
 
 /// Any action of any agent; none if there is none.
 std::pair<Sequence*, std::size_t> any_action(TaskSequences& sequences, Rng& rng) {
@@ -28,6 +29,16 @@ void insert_anywhere(TaskSequences& sequences, const TaskAction& action, Rng& rn
   sequence.insert(sequence.begin() + at, action);
 }
 
+/// Actions that follow each other go elsewhere together.
+void move_block(TaskSequences& sequences, Sequence& from, std::size_t at, std::size_t length, Rng& rng) {
+  const auto begin = from.begin() + static_cast<std::ptrdiff_t>(at);
+  const auto end = begin + static_cast<std::ptrdiff_t>(std::min(length, from.size() - at));
+  const Sequence block(begin, end);
+  from.erase(begin, end);
+  Sequence& to = sequences[rng.index(sequences.size())];
+  to.insert(to.begin() + static_cast<std::ptrdiff_t>(rng.index(to.size() + 1)), block.begin(), block.end());
+}
+
 void change_once(TaskSequences& sequences, std::size_t sources, Rng& rng) {
   const std::size_t kind = rng.index(6);
   const auto [sequence, at] = any_action(sequences, rng);
@@ -40,7 +51,6 @@ void change_once(TaskSequences& sequences, std::size_t sources, Rng& rng) {
     insert_anywhere(sequences, added, rng);
     return;
   }
-  const TaskAction action = (*sequence)[at];
   if (kind == 1) {
     TaskAction& same = (*sequence)[at];
     same.until = static_cast<StayEnd>(rng.index(3));
@@ -51,8 +61,7 @@ void change_once(TaskSequences& sequences, std::size_t sources, Rng& rng) {
     const auto [other, other_at] = any_action(sequences, rng);
     std::swap((*sequence)[at], (*other)[other_at]);
   } else {
-    sequence->erase(sequence->begin() + static_cast<std::ptrdiff_t>(at));
-    insert_anywhere(sequences, action, rng);
+    move_block(sequences, *sequence, at, kind == 4 ? 1 : 1 + rng.index(kLongestBlock), rng);
   }
 }
 

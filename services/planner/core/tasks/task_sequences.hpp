@@ -13,8 +13,8 @@ using TaskSequences = std::vector<std::vector<TaskAction>>;
 /// The sequences of a chain of decisions of so many agents.
 [[nodiscard]] TaskSequences sequences_of(const std::vector<TaskAction>& decisions, std::size_t agents);
 
-/// Changes one to three things at random: moves an action to another place or agent, swaps two, drops one, adds a visit
-/// of one of so many sources or a wait, or lets a stay end otherwise.
+/// Changes one to three things at random: moves some actions to another place or agent, swaps two, drops one, adds a
+/// visit of one of so many sources or a wait, or lets a stay end otherwise.
 void change(TaskSequences& sequences, std::size_t sources, Rng& rng);
 
 /// Which of `actions`, what an agent can do now, goes on with its sequence from `next` on: the first action of the
