@@ -50,7 +50,12 @@ const std::vector<Loops>& loops() {
       {{3}, {"S8g", "S8f", "S8d"}, {kOurs, kPaper, kTunedGreedy, "dec_mcts"}, 2, 10, "200"},
       {{3}, {"S4", "S6", "S1brl", "S1l1", "S1l3"}, {kOurs, kPaper, kTunedGreedy}, 0, 5, "200"},
       {{3}, {"S2r2", "S2p2"}, {kOurs, kTunedGreedy}, 0, 2, "200"},
-      {{10}, {"S5obedient", "S5late", "S5own", "S5random", "S5stubborn", "S5announces"}, {kOurs}, 0, 10, "50"}};
+      {{10},
+       {"S5obedient", "S5late", "S5own", "S5random", "S5stubborn", "S5announces"},
+       {kOurs, "tandem@clairvoyant", "tandem@alone"},
+       0,
+       10,
+       "50"}};
   return parts;
 }
 

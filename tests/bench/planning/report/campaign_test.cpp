@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bench/planning/report/rows.hpp"
 #include "services/planner/core/planners/registry.hpp"
 
 namespace tandem::bench {
@@ -43,6 +44,33 @@ TEST(Campaign, KnowsEveryFamilyAndPlannerItAsksFor) {
   for (const RunRequest& run : whole.runs) {
     EXPECT_NO_THROW((void)make_planner(run.key.planner.substr(0, run.key.planner.find('@')))) << run.key.planner;
     EXPECT_TRUE(std::ranges::any_of(families(), [&](const FamilySpec& f) { return f.name == run.key.family; }));
+  }
+}
+
+TEST(Campaign, AWholeOneMeasuresEveryTarget) {
+  const Campaign whole = campaign_of({});
+  Results results;
+  for (const RunRequest& request : whole.runs) {
+    results.runs.emplace_back().key = request.key;
+    results.runs.back().expected_time_s = 1.0;
+  }
+  for (const FirstPlanRequest& request : whole.first_plans) {
+    FirstPlanRecord& plan = results.first_plans.emplace_back();
+    plan.key = request.key;
+    plan.first_plan_ms = 1.0;
+    plan.budgets_ms = request.budgets_ms;
+    plan.values_s.assign(request.budgets_ms.size(), 1.0);
+    plan.bounds_s = plan.values_s;
+    plan.exact_s = 1.0;
+    plan.exact_proven = request.exact;
+  }
+  for (const MicroRequest& request : whole.micro) results.micro.emplace_back().key = request.key;
+  for (const TaskRequest& request : whole.tasks) {
+    results.tasks.emplace_back().key = request.key;
+    results.tasks.back().optimum_proven = true;
+  }
+  for (const TargetLine& line : target_lines(results, "200ms")) {
+    EXPECT_NE(line.verdict, Verdict::NotMeasured) << "row " << line.row << ": " << line.target;
   }
 }
 
