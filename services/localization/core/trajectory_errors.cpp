@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "services/localization/core/number_lines.hpp"
 
@@ -16,6 +17,17 @@ constexpr double kWrongDeg = 10.0;
 bool is_within(const TimeWindows& windows, double time_s) {
   return std::any_of(windows.begin(), windows.end(),
                      [time_s](const auto& window) { return time_s >= window.first && time_s <= window.second; });
+}
+
+std::pair<double, double> mean_and_deviation(std::span<const double> values) {
+  if (values.empty()) return {};
+  double mean = 0.0;
+  double square = 0.0;
+  for (const double value : values) {
+    mean += value / static_cast<double>(values.size());
+    square += value * value / static_cast<double>(values.size());
+  }
+  return {mean, std::sqrt(std::max(0.0, square - mean * mean))};
 }
 
 double root_of_mean(double sum, std::size_t count) {
@@ -93,21 +105,19 @@ std::vector<Relation> parse_relations(const std::string& text, const std::string
 
 RelationErrors relation_errors_of(std::span<const TimedPose> estimates, std::span<const Relation> relations,
                                   double truth_offset_s) {
-  RelationErrors errors;
-  double square = 0.0;
+  std::vector<double> metres;
+  std::vector<double> degrees;
   for (const Relation& relation : relations) {
     const auto from = pose_at(estimates, relation.from - from_seconds(truth_offset_s));
     const auto to = pose_at(estimates, relation.to - from_seconds(truth_offset_s));
     if (!from || !to) continue;
-    const double error = (inverse(relation.from_pose_to_pose) * (inverse(*from) * *to)).position().norm();
-    ++errors.compared;
-    errors.mean_m += error;
-    square += error * error;
+    const Pose2 error = inverse(relation.from_pose_to_pose) * (inverse(*from) * *to);
+    metres.push_back(error.position().norm());
+    degrees.push_back(std::abs(to_degrees(error.heading)));
   }
-  if (errors.compared == 0) return errors;
-  const auto count = static_cast<double>(errors.compared);
-  errors.mean_m /= count;
-  errors.deviation_m = std::sqrt(std::max(0.0, square / count - errors.mean_m * errors.mean_m));
+  RelationErrors errors{.compared = metres.size()};
+  std::tie(errors.mean_m, errors.deviation_m) = mean_and_deviation(metres);
+  std::tie(errors.mean_deg, errors.deviation_deg) = mean_and_deviation(degrees);
   return errors;
 }
 

@@ -56,9 +56,11 @@ struct RelationErrors {
   std::size_t compared = 0;
   double mean_m = 0.0;
   double deviation_m = 0.0;
+  double mean_deg = 0.0;
+  double deviation_deg = 0.0;
 };
 
-/// Translational errors of the estimates' relative poses; relation time is an estimate's time plus `truth_offset_s`.
+/// Errors, in position and in heading, of the estimates' relative poses; relation time is an estimate's time plus `truth_offset_s`.
 [[nodiscard]] RelationErrors relation_errors_of(std::span<const TimedPose> estimates,
                                                 std::span<const Relation> relations, double truth_offset_s);
 
