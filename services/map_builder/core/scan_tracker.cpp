@@ -7,7 +7,7 @@ namespace tandem {
 namespace {
 
 constexpr double kSearchReachM = 18.0;   ///< Points further away do not help a search.
-constexpr double kFarMotionM = 0.2;      ///< After a motion this far ...
+constexpr double kFarMotionM = 0.0;      ///< After a motion this far ...
 constexpr double kFarMotionRad = 0.12;   ///< ... or this wide the wheels are not trusted to start from.
 constexpr double kClearlyBetter = 0.05;  ///< A search that matches so much more of the scan is believed.
 
@@ -66,7 +66,7 @@ Registration ScanTracker::laid(const MapScan& scan, const Surface& surface, cons
   Pose2 guess = predicted;
   if (scan.motion && (way_m > kFarMotionM || turn_rad > kFarMotionRad)) {
     guess = local_->best_pose(surface, predicted,
-                              {.half_side_m = 0.2 + 0.3 * way_m,
+                              {.half_side_m = 0.35 + 0.3 * way_m,
                                .half_turn_rad = 0.1 + 0.25 * turn_rad,
                                .step_m = 0.1,
                                .step_rad = 0.02,
