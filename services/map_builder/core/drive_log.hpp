@@ -13,7 +13,9 @@ namespace tandem {
 
 /// A scan that a map is built from.
 struct MapScan {
-  Time time{};
+  Time time{};                                  ///< by which scans and odometry are in order
+  Time stamp{};                                 ///< as recorded
+  std::optional<std::size_t> odometry_index{};  ///< of the sample that it belongs to
   std::optional<Pose2> motion;  ///< from the scan before, by the wheels; none across a break of the odometry
   Eigen::Vector2d laser_in_base = Eigen::Vector2d::Zero();
   std::vector<Eigen::Vector2d> endpoints_in_base;  ///< of the beams that returned [m], in their order
@@ -29,8 +31,9 @@ struct Drive {
 
 /// Gathers odometry and scans in the order of a recording.
 ///
-/// Refused and counted: scans with too few returns, older than the last one, or with the very same ranges although the
-/// robot drove on. Scans of a robot that stood still are thinned out in time.
+/// A scan that came right after an odometry sample of the same stamp belongs to it: logs that were joined from both are
+/// so. Refused and counted: odometry much older than the last, scans with too few returns, older than the last one, or
+/// with the very same ranges although the robot drove on. Scans of a robot that stood still are thinned out in time.
 class DriveLog {
  public:
   explicit DriveLog(const MapBuilderConfig& config) : config_(config) {}
@@ -49,6 +52,7 @@ class DriveLog {
   std::vector<OdometrySample> samples_;
   std::vector<float> seen_ranges_m_;
   Pose2 seen_at_;
+  Time last_scan_ = Time::min();
   std::optional<OdometrySample> kept_at_;
 };
 

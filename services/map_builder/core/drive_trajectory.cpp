@@ -1,8 +1,18 @@
 #include "services/map_builder/core/drive_trajectory.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tandem {
+namespace {
+
+constexpr double kMetresPerRadian = 0.5;
+
+double size_of(const Pose2& motion) {
+  return motion.position().norm() + kMetresPerRadian * std::abs(motion.heading);
+}
+
+}  // namespace
 
 std::vector<Pose2> scan_poses(const MapGraph& graph) {
   std::vector<Pose2> poses;
@@ -24,26 +34,31 @@ std::vector<Pose2> scan_poses(const MapGraph& graph) {
   return poses;
 }
 
-std::vector<TimedPose> trajectory_between(std::span<const TimedPose> scan_poses, const OdometryTrack& odometry) {
+std::vector<TimedPose> trajectory_of(const Drive& drive, std::span<const Pose2> poses) {
   std::vector<TimedPose> trajectory;
-  for (std::size_t i = 0; i < scan_poses.size(); ++i) {
-    trajectory.push_back(scan_poses[i]);
-    if (i + 1 == scan_poses.size()) break;
-    const TimedPose& a = scan_poses[i];
-    const TimedPose& b = scan_poses[i + 1];
+  const OdometryTrack& odometry = drive.odometry;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const MapScan& a = drive.scans[i];
+    trajectory.push_back({a.stamp, poses[i]});
+    if (i + 1 == poses.size()) break;
+    const MapScan& b = drive.scans[i + 1];
     const auto at_a = odometry.at(a.time, Duration::max());
     const auto at_b = odometry.at(b.time, Duration::max());
     if (!at_a || !at_b || at_a->epoch != at_b->epoch) continue;
     const auto samples = odometry.samples();
-    auto sample = std::upper_bound(samples.begin(), samples.end(), a.time,
-                                   [](Time time, const OdometrySample& one) { return time < one.time; });
-    for (; sample != samples.end() && sample->time < b.time; ++sample) {
-      const Pose2 from_a = a.map_from_base * (inverse(at_a->odom_from_base) * sample->odom_from_base);
-      const Pose2 from_b = b.map_from_base * (inverse(at_b->odom_from_base) * sample->odom_from_base);
-      const double share = to_seconds(sample->time - a.time) / to_seconds(b.time - a.time);
-      trajectory.push_back({sample->time, interpolate(from_a, from_b, share)});
+    const auto after_a = std::upper_bound(samples.begin(), samples.end(), a.time,
+                                          [](Time time, const OdometrySample& one) { return time < one.time; });
+    for (auto k = static_cast<std::size_t>(after_a - samples.begin()); k < samples.size(); ++k) {
+      if (samples[k].time >= b.time) break;
+      const Pose2 since_a = inverse(at_a->odom_from_base) * samples[k].odom_from_base;
+      const Pose2 since_b = inverse(at_b->odom_from_base) * samples[k].odom_from_base;
+      const double whole = size_of(since_a) + size_of(since_b);
+      const double share = whole > 0.0 ? size_of(since_a) / whole : 0.0;
+      trajectory.push_back({odometry.stamps()[k], interpolate(poses[i] * since_a, poses[i + 1] * since_b, share)});
     }
   }
+  std::stable_sort(trajectory.begin(), trajectory.end(),
+                   [](const TimedPose& one, const TimedPose& other) { return one.time < other.time; });
   return trajectory;
 }
 

@@ -13,9 +13,9 @@ namespace tandem {
 /// the second.
 [[nodiscard]] std::vector<Pose2> scan_poses(const MapGraph& graph);
 
-/// The scans' poses, and between two scans the poses at which the wheels were read: as the wheels say from the scan
-/// before and from the one after, more of the nearer. Where the wheels break between two scans nothing is added.
-[[nodiscard]] std::vector<TimedPose> trajectory_between(std::span<const TimedPose> scan_poses,
-                                                        const OdometryTrack& odometry);
+/// The scans' poses, and between two scans the poses at which the wheels were read, by recorded stamp: as the wheels
+/// say from the scan before and from the one after, more of the nearer. Where the wheels break between two scans
+/// nothing is added. `poses` are those of the first scans of the drive.
+[[nodiscard]] std::vector<TimedPose> trajectory_of(const Drive& drive, std::span<const Pose2> poses);
 
 }  // namespace tandem

@@ -88,11 +88,11 @@ BuiltMap build_map(const Drive& drive, const MapBuilderConfig& config,
     (void)keep_going({"drawing", kTrackingShare + kRefiningShare + (1.0 - kTrackingShare - kRefiningShare) * share});
     return true;
   });
-  for (std::size_t i = 0; i < poses.size(); ++i) map.scan_poses.push_back({used[i].time, poses[i]});
-  map.trajectory = trajectory_between(map.scan_poses, drive.odometry);
+  for (std::size_t i = 0; i < poses.size(); ++i) map.scan_poses.push_back({used[i].stamp, poses[i]});
+  map.trajectory = trajectory_of(drive, poses);
   for (const PoseEdge& edge : graph.closures) {
     const auto timed = [&](std::size_t node) {
-      return TimedPose{used[graph.nodes[node].scan].time, graph.poses[node]};
+      return TimedPose{used[graph.nodes[node].scan].stamp, graph.poses[node]};
     };
     map.closures.push_back({timed(edge.from), timed(edge.to)});
   }

@@ -20,8 +20,8 @@ struct MapClosure {
 /// A map, and how it came about.
 struct BuiltMap {
   OccupancyGrid grid;
-  std::vector<TimedPose> scan_poses;  ///< of each scan used
-  std::vector<TimedPose> trajectory;  ///< of each scan and each odometry sample between scans, by time
+  std::vector<TimedPose> scan_poses;  ///< of each scan used, in their order, with the recorded stamps
+  std::vector<TimedPose> trajectory;  ///< of each scan and each odometry sample between scans, by recorded stamp
   std::vector<MapClosure> closures;   ///< believed to the end
   std::size_t rejected = 0;           ///< closures that did not agree with the rest
   std::size_t nodes = 0;              ///< of the graph

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tandem {
 namespace {
@@ -9,6 +10,32 @@ namespace {
 constexpr double kFastestMps = 5.0;    ///< No robot of ours drives faster, ...
 constexpr double kFastestRadps = 8.0;  ///< ... or turns faster.
 constexpr double kShortestS = 0.1;     ///< Stamps of samples close together are not exact.
+
+constexpr Duration kRounding = std::chrono::milliseconds{10};  ///< Old logs round their stamps so.
+
+/// No time is later than one that follows.
+void let_none_step_back(std::vector<Time>& times) {
+  for (std::size_t i = times.size(); i-- > 1;) times[i - 1] = std::min(times[i - 1], times[i]);
+}
+
+/// Equal times in a row are spread around theirs, no further than half way to those before and after.
+void spread_equal(std::vector<Time>& times) {
+  Time before = Time::min();
+  for (std::size_t first = 0; first < times.size();) {
+    const Time time = times[first];
+    std::size_t end = first;
+    while (end < times.size() && times[end] == time) ++end;
+    Duration width = kRounding;
+    if (first > 0 && before < time) width = std::min(width, time - before);
+    if (end < times.size() && times[end] > time) width = std::min(width, times[end] - time);
+    const auto count = static_cast<std::int64_t>(end - first);
+    for (std::int64_t i = 0; i < count; ++i) {
+      times[first + static_cast<std::size_t>(i)] += width * (2 * i + 1 - count) / (2 * count);
+    }
+    before = time;
+    first = end;
+  }
+}
 
 bool is_jump(const OdometrySample& before, const OdometrySample& after) {
   const Pose2 motion = inverse(before.odom_from_base) * after.odom_from_base;
@@ -18,26 +45,22 @@ bool is_jump(const OdometrySample& before, const OdometrySample& after) {
 
 }  // namespace
 
-OdometryTrack::OdometryTrack(std::vector<OdometrySample> samples) {
-  std::stable_sort(samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+OdometryTrack::OdometryTrack(std::vector<OdometrySample> samples) : samples_(std::move(samples)) {
+  for (const OdometrySample& sample : samples_) stamps_.push_back(sample.time);
+  std::vector<Time> times = stamps_;
+  spread_equal(stamps_);
+  let_none_step_back(times);
+  spread_equal(times);
+  for (std::size_t i = 0; i < times.size(); ++i) samples_[i].time = times[i];
   int stretch = 0;
   int epoch = 0;
-  for (const OdometrySample& sample : samples) {
-    if (!samples_.empty()) {
-      OdometrySample& last = samples_.back();
-      const bool same_epoch = epoch == sample.epoch;
-      if (same_epoch && last.time == sample.time) {
-        last = sample;
-        last.epoch = stretch;
-        continue;
-      }
-      const bool jump = same_epoch && is_jump(last, sample);
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (i > 0) {
+      const bool jump = samples_[i].epoch == epoch && is_jump(samples_[i - 1], samples_[i]);
       jumps_ += jump ? 1 : 0;
-      if (!same_epoch || jump) ++stretch;
+      if (jump || samples_[i].epoch != epoch) ++stretch;
     }
-    epoch = sample.epoch;
-    samples_.push_back(sample);
-    samples_.back().epoch = stretch;
+    epoch = std::exchange(samples_[i].epoch, stretch);
   }
 }
 
