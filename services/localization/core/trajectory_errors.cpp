@@ -121,4 +121,41 @@ RelationErrors relation_errors_of(std::span<const TimedPose> estimates, std::spa
   return errors;
 }
 
+FormErrors form_errors_of(std::span<const TimedPose> estimates, std::span<const TimedPose> truth,
+                          double truth_offset_s) {
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> pairs;
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  Eigen::Vector2d true_middle = Eigen::Vector2d::Zero();
+  for (const TimedPose& estimate : estimates) {
+    const auto there = pose_at(truth, estimate.time + from_seconds(truth_offset_s));
+    if (!there) continue;
+    pairs.emplace_back(estimate.map_from_base.position(), there->position());
+    middle += pairs.back().first;
+    true_middle += pairs.back().second;
+  }
+  FormErrors errors{.compared = pairs.size()};
+  if (pairs.empty()) return errors;
+  middle /= static_cast<double>(pairs.size());
+  true_middle /= static_cast<double>(pairs.size());
+  double along = 0.0;
+  double across = 0.0;
+  for (const auto& [point, true_point] : pairs) {
+    const Eigen::Vector2d a = point - middle;
+    const Eigen::Vector2d b = true_point - true_middle;
+    along += a.dot(b);
+    across += a.x() * b.y() - a.y() * b.x();
+  }
+  const Pose2 turn{0.0, 0.0, std::atan2(across, along)};
+  const Eigen::Vector2d origin = true_middle - turn * middle;
+  errors.truth_from_map = {origin.x(), origin.y(), turn.heading};
+  double square = 0.0;
+  for (const auto& [point, true_point] : pairs) {
+    const double distance = (errors.truth_from_map * point - true_point).norm();
+    square += distance * distance;
+    errors.max_m = std::max(errors.max_m, distance);
+  }
+  errors.rmse_m = root_of_mean(square, pairs.size());
+  return errors;
+}
+
 }  // namespace tandem
