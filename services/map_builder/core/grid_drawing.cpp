@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <string>
 
 #include "services/mapping/core/grid_axis.hpp"
+#include "services/mapping/core/map_file.hpp"
 
 namespace tandem {
 namespace {
@@ -34,6 +36,12 @@ OccupancyGrid frame_around(std::span<const MapScan> scans, std::span<const Pose2
   // Whole cells from the origin on, so that cells lie alike whatever is seen at the rim.
   const Eigen::Array2d low = ((box.min().array() - config.margin_m) / cell_m).floor();
   const Eigen::Array2d high = ((box.max().array() + config.margin_m) / cell_m).ceil();
+  const Eigen::Array2d cells = high - low;
+  if (cells.prod() > static_cast<double>(kDefaultMaxCells)) {
+    throw MapError{"the map would be " + std::to_string(std::lround(cells.x() * cell_m)) + " x " +
+                   std::to_string(std::lround(cells.y() * cell_m)) + " m, more than " +
+                   std::to_string(kDefaultMaxCells) + " cells; choose a larger resolution_m"};
+  }
   return {static_cast<int>(high.x() - low.x()),
           static_cast<int>(high.y() - low.y()),
           cell_m,
