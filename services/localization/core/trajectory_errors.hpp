@@ -70,7 +70,7 @@ struct FormErrors {
   std::size_t compared = 0;
   double rmse_m = 0.0;
   double max_m = 0.0;
-  Pose2 truth_from_map;  ///< lays the estimates onto the truth with the least squares of distances
+  Pose2 truth_from_map{};  ///< lays the estimates onto the truth with the least squares of distances
 };
 
 /// Lays the estimates onto the truth as a whole, and compares positions. `truth` is ordered by time.

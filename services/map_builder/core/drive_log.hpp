@@ -16,9 +16,9 @@ struct MapScan {
   Time time{};                                  ///< by which scans and odometry are in order
   Time stamp{};                                 ///< as recorded
   std::optional<std::size_t> odometry_index{};  ///< of the sample that it belongs to
-  std::optional<Pose2> motion;  ///< from the scan before, by the wheels; none across a break of the odometry
+  std::optional<Pose2> motion{};  ///< from the scan before, by the wheels; none across a break of the odometry
   Eigen::Vector2d laser_in_base = Eigen::Vector2d::Zero();
-  std::vector<Eigen::Vector2d> endpoints_in_base;  ///< of the beams that returned [m], in their order
+  std::vector<Eigen::Vector2d> endpoints_in_base{};  ///< of the beams that returned [m], in their order
 };
 
 /// All that a map is built from: what one robot measured on one drive.

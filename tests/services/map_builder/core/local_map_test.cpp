@@ -39,7 +39,7 @@ TEST(LocalMap, HasAnOccupiedCellWhereSomethingWasSeen) {
 }
 
 TEST(LocalMap, SearchesWithNearPointsAlone) {
-  EXPECT_EQ(points_of({{{1.0, 0.0}, {}}, {{9.0, 0.0}, {}}}, 10, 5.0).size(), 1U);
+  EXPECT_EQ(points_of({{{1.0, 0.0}, {1.0, 0.0}}, {{9.0, 0.0}, {1.0, 0.0}}}, 10, 5.0).size(), 1U);
 }
 
 }  // namespace
