@@ -42,13 +42,13 @@ TEST(DriveTrajectory, TellsPosesByTheRecordedStamps) {
   Drive drive = two_scans();
   // The middle sample was recorded late; its place in the order is kept.
   drive.odometry =
-      OdometryTrack{{{at_s(0.0), {0, 0, 0}, {}, 0}, {at_s(2.5), {1, 0, 0}, {}, 0}, {at_s(2.0), {2, 0, 0}, {}, 0}}};
+      OdometryTrack{{{at_s(0.0), {0, 0, 0}, {}, 0}, {at_s(2.5), {0.2, 0, 0}, {}, 0}, {at_s(2.0), {0.4, 0, 0}, {}, 0}}};
   drive.scans[1].time = drive.odometry.samples()[2].time;
-  const std::vector<Pose2> poses{{0, 0, 0}, {2, 0, 0}};
+  const std::vector<Pose2> poses{{0, 0, 0}, {0.4, 0, 0}};
   const auto trajectory = trajectory_of(drive, poses);
   ASSERT_EQ(trajectory.size(), 3U);
   EXPECT_EQ(trajectory[2].time, at_s(2.5));
-  EXPECT_NEAR(trajectory[2].map_from_base.x, 1.0, 1e-9);
+  EXPECT_NEAR(trajectory[2].map_from_base.x, 0.2, 1e-9);
 }
 
 TEST(DriveTrajectory, BendsTheWayBetweenNodesToItsEnd) {

@@ -38,8 +38,8 @@ TEST(PoseGraph, SpreadsAnErrorOverTheLoop) {
   edges.push_back({.from = 0, .to = 4, .from_pose_to_pose = {4.5, 0.0, 0.0}});
   std::vector<Pose2> poses{{}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}};
   optimise(poses, edges, Weighting::Full, 50);
-  EXPECT_NEAR(poses[4].x, 4.4, 1e-4);  // five equal edges share 0.5 m
-  EXPECT_NEAR(deviations_off(edges[4], poses), 0.1, 1e-4);
+  EXPECT_NEAR(poses[4].x, 4.4, 1e-3);  // five equal edges share 0.5 m
+  EXPECT_NEAR(deviations_off(edges[4], poses), 0.1, 1e-3);
 }
 
 TEST(PoseGraph, IsNotBentByAClosureThatIsFalse) {
