@@ -159,7 +159,6 @@ void run_map_build(const MapBuildOptions& options) {
 
   std::optional<RecordedDrive> recorded;
   std::optional<BuiltMap> map;
-  std::vector<std::string> damages;
   {
     Progress progress{"map build"};
     mcap::Reader recording{mcap::file_source(options.file), options.file};
@@ -167,8 +166,8 @@ void run_map_build(const MapBuildOptions& options) {
       progress.show(kReadingShare * share, "reading");
       return !stop_requested();
     });
-    damages = recording.damages();
     if (stop_requested()) throw Interrupted{};  // nothing is there yet that would be lost
+    for (const std::string& damage : recording.damages()) std::fprintf(stderr, "tandem: %s\n", damage.c_str());
     check_drive(options.file, *recorded);
     map = build_map(recorded->drive, config, [&](const BuildProgress& now) {
       progress.show(kReadingShare + (1.0 - kReadingShare) * now.share, now.step);
@@ -182,7 +181,6 @@ void run_map_build(const MapBuildOptions& options) {
   } else {
     print_text(report, map->grid);
   }
-  for (const std::string& damage : damages) std::fprintf(stderr, "tandem: %s\n", damage.c_str());
   if (map->complete) return;
   std::fprintf(stderr, "tandem: stopped: %s is the map of the first %zu of %zu scans\n", options.output.c_str(),
                map->scan_poses.size(), recorded->drive.scans.size());
