@@ -29,15 +29,22 @@ Time time_of(const LogEvent& event) {
   return std::visit([](const auto& one) { return one.time; }, event);
 }
 
+std::vector<LogEvent> events_of(const std::filesystem::path& file) {
+  std::vector<LogEvent> events;
+  for (const carmen::Event& event : carmen::parse_log(carmen::read_log_file(file), file)) {
+    events.push_back(event_of(event));
+  }
+  return events;
+}
+
 RecordedLog load_log(const std::string& name, const std::filesystem::path& data_folder) {
   RecordedLog log{.name = name, .map = {}, .events = {}, .truth = {}};
   log.map = load_map(data_folder / "maps" / (name == "fr079" ? "fr079_even.yaml" : name + "_full.yaml"));
   const auto stem = data_folder / name / name;
-  const std::string file = stem.string() + ".odomscan.txt.gz";
   std::size_t scans = 0;
-  for (const carmen::Event& event : carmen::parse_log(carmen::read_log_file(file), file)) {
-    const bool drew_the_map = name == "fr079" && std::holds_alternative<carmen::Scan>(event) && scans++ % 2 == 0;
-    if (!drew_the_map) log.events.push_back(event_of(event));
+  for (LogEvent& event : events_of(stem.string() + ".odomscan.txt.gz")) {
+    const bool drew_the_map = name == "fr079" && std::holds_alternative<LaserScan>(event) && scans++ % 2 == 0;
+    if (!drew_the_map) log.events.push_back(std::move(event));
   }
   const std::string truth = stem.string() + ".reference.txt";
   log.truth = parse_trajectory(carmen::read_log_file(truth), truth);

@@ -22,6 +22,9 @@ struct RecordedLog {
   std::vector<TimedPose> truth;  ///< by time; empty where nobody knows
 };
 
+/// Odometry and scans of a CARMEN log, in its order. Throws where the file is missing.
+[[nodiscard]] std::vector<LogEvent> events_of(const std::filesystem::path& file);
+
 /// The logs of docs/data.md in `data_folder`: "intel", "fr079". Throws where a file is missing.
 ///
 /// Of fr079 only scans 1, 3, 5, ...: the map was drawn from the others.

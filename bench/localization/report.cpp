@@ -59,7 +59,7 @@ std::string tracking_row(const RecordedLog& log, LocalizationConfig config, cons
   std::sort(times_ms.begin(), times_ms.end());
   const TrajectoryErrors errors = errors_of(estimates, log.truth, 0.0, {});
   if (what == "default") {
-    write_file_atomically(options.output / (log.name + ".svg"), trajectory_picture(log.map, way, log.truth));
+    write_file_atomically(options.output / (log.name + ".svg"), trajectory_picture(log.map, way, {.truth = log.truth}));
   }
   return line("| %s | %s | %zu | %.4f / %.2f | %.2f | %.4f | %.2f | %.4f | %.2f, %.2f, %.2f | %s |\n", log.name.c_str(),
               what.c_str(), errors.compared, errors.rmse_m, errors.rmse_deg, errors.max_m, errors.lost_share,

@@ -10,11 +10,11 @@
 #include "services/cli/command.hpp"
 #include "services/cli/offline_localization.hpp"
 #include "services/cli/progress.hpp"
+#include "services/cli/truth.hpp"
 #include "services/common/file_io.hpp"
 #include "services/localization/core/trajectory_picture.hpp"
 #include "services/mapping/core/map_file.hpp"
 #include "services/mapping/core/sha256.hpp"
-#include "services/recorder/core/carmen_log.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -35,25 +35,6 @@ struct LocalizeOptions {
   std::string picture;
   bool json = false;
 };
-
-/// What the poses are compared with.
-struct Truth {
-  std::vector<TimedPose> poses;
-  std::vector<Relation> relations;
-};
-
-/// Some logs tell times that step back.
-std::vector<TimedPose> sorted_by_time(std::vector<TimedPose> poses) {
-  std::stable_sort(poses.begin(), poses.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
-  return poses;
-}
-
-Truth read_truth(const std::string& file) {
-  if (file.empty()) return {};
-  const std::string text = carmen::read_log_file(file);  // plain or gzip
-  if (file.find(".relations") != std::string::npos) return {.poses = {}, .relations = parse_relations(text, file)};
-  return {.poses = sorted_by_time(parse_trajectory(text, file)), .relations = {}};
-}
 
 TimeWindows parse_windows(const std::vector<std::string>& texts) {
   TimeWindows windows;
@@ -186,7 +167,7 @@ void run(const LocalizeOptions& options) {
   if (!options.picture.empty()) {
     std::vector<TimedPose> poses;
     for (const EstimatedPose& estimate : result.poses) poses.push_back(estimate.pose);
-    write_file_atomically(options.picture, trajectory_picture(map, poses, truth.poses));
+    write_file_atomically(options.picture, trajectory_picture(map, poses, {.truth = truth.poses}));
   }
   const auto report = report_of(options, truth, config, result);
   if (options.json) {

@@ -6,6 +6,7 @@
 #include "services/cli/import_command.hpp"
 #include "services/cli/info_command.hpp"
 #include "services/cli/localize_command.hpp"
+#include "services/cli/map_command.hpp"
 #include "services/cli/plan_command.hpp"
 #include "services/cli/record_command.hpp"
 #include "services/cli/replay_command.hpp"
@@ -28,6 +29,7 @@ int main(int argc, char** argv) {
   add_info_command(app);
   add_import_command(app);
   add_localize_command(app);
+  add_map_command(app);
   add_plan_command(app);
   add_study_command(app);
   add_topics_command(app);

@@ -33,6 +33,8 @@ const std::vector<Row>& rows() {
       {"services/mapping/", with(kShell, {"services/mapping/"})},
       {"services/localization/core/", with(kCore, {"services/localization/core/"})},
       {"services/localization/", with(kShell, {"services/localization/"})},
+      // Builds maps with localization's searches and measures (decision 9).
+      {"services/map_builder/core/", with(kCore, {"services/map_builder/core/", "services/localization/core/"})},
       {"services/tracking/core/", with(kCore, {"services/tracking/core/"})},
       {"services/tracking/", with(kShell, {"services/tracking/"})},
       {"services/planner/core/", with(kCore, {"services/planner/core/"})},

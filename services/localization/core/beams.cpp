@@ -5,20 +5,6 @@
 #include "services/localization/core/odometry_history.hpp"
 
 namespace tandem {
-namespace {
-
-/// Evenly spread indices out of `all`, `count` at most.
-template <typename T>
-std::vector<T> evenly(std::span<const T> all, std::size_t count) {
-  if (all.size() <= count) return {all.begin(), all.end()};
-  std::vector<T> chosen;
-  chosen.reserve(count);
-  for (std::size_t i = 0; i < count; ++i) chosen.push_back(all[(2 * i + 1) * all.size() / (2 * count)]);
-  return chosen;
-}
-
-}  // namespace
-
 std::vector<Eigen::Vector2d> thinned(std::span<const Eigen::Vector2d> points, std::size_t count) {
   return evenly(points, count);
 }

@@ -31,6 +31,39 @@ struct Box {
   }
 };
 
+/// The lattice positions and headings of an area; without one, all there are.
+class Limits {
+ public:
+  Limits(const std::optional<PoseArea>& area, const Pose2& grid_from_map, double step_m, int width, int height)
+      : last_column_(width - 1), last_row_(height - 1) {
+    if (!area) return;
+    const Pose2 centre = grid_from_map * area->centre_in_map;
+    const auto lattice = [step_m](double at_m) {
+      return static_cast<int>(std::floor(std::clamp(at_m / step_m, -1e6, 1e6)));
+    };
+    first_column_ = std::max(first_column_, lattice(centre.x - area->half_side_m));
+    first_row_ = std::max(first_row_, lattice(centre.y - area->half_side_m));
+    last_column_ = std::min(last_column_, lattice(centre.x + area->half_side_m));
+    last_row_ = std::min(last_row_, lattice(centre.y + area->half_side_m));
+    heading_rad_ = centre.heading;
+    half_turn_rad_ = area->half_turn_rad;
+  }
+  [[nodiscard]] bool meets(int column, int row, int side) const {
+    return column <= last_column_ && row <= last_row_ && column + side > first_column_ && row + side > first_row_;
+  }
+  [[nodiscard]] bool has_heading(double heading_rad) const {
+    return std::abs(turn_between(heading_rad_, heading_rad)) <= half_turn_rad_;
+  }
+
+ private:
+  int first_column_ = 0;
+  int first_row_ = 0;
+  int last_column_;
+  int last_row_;
+  double heading_rad_ = 0.0;
+  double half_turn_rad_ = 4.0;
+};
+
 }  // namespace
 
 GlobalSearch::GlobalSearch(const OccupancyGrid& map, const LikelihoodField& field)
@@ -92,7 +125,10 @@ std::vector<Candidate> GlobalSearch::candidates(std::span<const Eigen::Vector2d>
 
   const int headings = std::max(1, static_cast<int>(std::ceil(2.0 * std::numbers::pi / options.step_rad)));
   std::vector<std::vector<std::ptrdiff_t>> shifts(static_cast<std::size_t>(headings));  // from the base to the ends
+  const Limits limits{options.within, grid_from_map_, step_m_, width_, height_};
+  const auto heading_of = [&](int heading) { return wrap_to_pi(2.0 * std::numbers::pi * heading / headings); };
   for (std::size_t i = 0; i < shifts.size(); ++i) {
+    if (!limits.has_heading(heading_of(static_cast<int>(i)))) continue;
     const Pose2 turn{0.0, 0.0, 2.0 * std::numbers::pi * static_cast<double>(i) / headings};
     for (const Eigen::Vector2d& endpoint : near) {
       const Eigen::Vector2d p = turn * endpoint / step_m_;
@@ -103,7 +139,7 @@ std::vector<Candidate> GlobalSearch::candidates(std::span<const Eigen::Vector2d>
 
   std::priority_queue<Box> boxes;
   const auto consider = [&](int heading, int level, int column, int row) {
-    if (column >= width_ || row >= height_) return;
+    if (!limits.meets(column, row, 1 << level)) return;
     const std::size_t base = index(column, row);
     if (free_[static_cast<std::size_t>(level)][base] == 0) return;
     int sum = 0;
@@ -114,11 +150,11 @@ std::vector<Candidate> GlobalSearch::candidates(std::span<const Eigen::Vector2d>
   };
   const int top = kLevels - 1;
   for (int heading = 0; heading < headings; ++heading) {
+    if (!limits.has_heading(heading_of(heading))) continue;
     for (int row = 0; row < height_; row += 1 << top) {
       for (int column = 0; column < width_; column += 1 << top) consider(heading, top, column, row);
     }
   }
-  const auto heading_of = [&](int heading) { return wrap_to_pi(2.0 * std::numbers::pi * heading / headings); };
   const auto is_known = [&](const Box& box) {
     const double half_m = 0.5 * step_m_ * (1 << box.level);
     const Eigen::Vector2d middle{box.column * step_m_ + half_m, box.row * step_m_ + half_m};

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,13 @@ struct Candidate {
   double score = 0.0;  ///< mean over the beams, [0, 1]: 0 all far from walls, 1 all on walls
 };
 
+/// Poses around a centre: a square whose sides lie along the map's grid, and a turn each way.
+struct PoseArea {
+  Pose2 centre_in_map;
+  double half_side_m = 0.0;
+  double half_turn_rad = 0.0;
+};
+
 /// What a global search looks for.
 struct GlobalSearchOptions {
   double step_rad = 0.025;          ///< between two headings tried
@@ -25,6 +33,7 @@ struct GlobalSearchOptions {
   double apart_m = 0.7;             ///< two candidates are this far apart ...
   double apart_rad = 0.3;           ///< ... or turned by this much
   std::size_t max_nodes = 600'000;  ///< boxes of poses opened before the search gives up and says what it has
+  std::optional<PoseArea> within;   ///< only poses in here, to a lattice step; none: the whole map
 };
 
 /// Finds where on the whole map beams fit, with no start value: branch and bound over boxes of poses.

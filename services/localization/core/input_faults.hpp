@@ -13,10 +13,12 @@ enum class InputFault {
   ScanOutOfOrder,         ///< older than the last one used
   ScanStuck,              ///< the same ranges, to the last bit, although the robot moved on
   OdometryJump,           ///< faster than any robot: the motion is taken as unknown
+  OdometryOutOfOrder,     ///< much older than the last one
 };
 
-inline constexpr std::array<const char*, 5> kInputFaultNames{"scan_without_odometry", "scan_with_too_few_returns",
-                                                             "scan_out_of_order", "scan_stuck", "odometry_jump"};
+inline constexpr std::array<const char*, 6> kInputFaultNames{"scan_without_odometry", "scan_with_too_few_returns",
+                                                             "scan_out_of_order",     "scan_stuck",
+                                                             "odometry_jump",         "odometry_out_of_order"};
 
 /// How often each came.
 class InputFaults {

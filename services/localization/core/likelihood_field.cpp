@@ -11,9 +11,16 @@ LikelihoodField::LikelihoodField(const OccupancyGrid& grid, const DistanceField&
       outside_(static_cast<float>(std::log(model.random_share))) {
   const double factor = -0.5 / (model.hit_deviation_m * model.hit_deviation_m);
   values_.reserve(grid.cells().size());
+  float last_distance = -1.0F;  // neighbours are often equally far: a field that is cut off, above all
   for (int row = 0; row < height_; ++row) {
     for (int column = 0; column < width_; ++column) {
-      const double distance = distances.at({column, row});
+      const float cell_distance = distances.at({column, row});
+      if (cell_distance == last_distance) {
+        values_.push_back(values_.back());
+        continue;
+      }
+      last_distance = cell_distance;
+      const double distance = cell_distance;
       values_.push_back(static_cast<float>(
           std::log((1.0 - model.random_share) * std::exp(factor * distance * distance) + model.random_share)));
     }

@@ -25,15 +25,16 @@ Pose2 pose_of(const Eigen::Vector3d& parameters) {
   return {parameters.x(), parameters.y(), wrap_to_pi(parameters.z())};
 }
 
-Eigen::Vector3d weights_of(const MotionDeviation& deviation) {
+Eigen::Matrix3d root_information_of(const MotionDeviation& deviation) {
   return Eigen::Vector3d{deviation.forward_m, deviation.sideways_m, deviation.turn_rad}
       .cwiseMax(kLeastDeviation)
-      .cwiseInverse();
+      .cwiseInverse()
+      .asDiagonal();
 }
 
 /// A motion between two poses, linearised.
 struct LinearMotion {
-  LinearMotion(const OdometryResidual& residual, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  LinearMotion(const RelativePoseResidual& residual, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const double* parameters[] = {a.data(), b.data()};
     double* jacobians[] = {by_a.data(), by_b.data()};
     residual.Evaluate(parameters, value.data(), jacobians);
@@ -45,7 +46,7 @@ struct LinearMotion {
 };
 
 /// The information that a motion holds about both poses.
-Eigen::Matrix<double, 6, 6> information_of(const OdometryResidual& residual, const Eigen::Vector3d& a,
+Eigen::Matrix<double, 6, 6> information_of(const RelativePoseResidual& residual, const Eigen::Vector3d& a,
                                            const Eigen::Vector3d& b) {
   const LinearMotion linear{residual, a, b};
   Eigen::Matrix<double, 3, 6> both;
@@ -54,7 +55,7 @@ Eigen::Matrix<double, 6, 6> information_of(const OdometryResidual& residual, con
 }
 
 /// How a motion pulls at the second pose: the gradient of half its squared residual.
-Eigen::Vector3d pull_of(const OdometryResidual& residual, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+Eigen::Vector3d pull_of(const RelativePoseResidual& residual, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   const LinearMotion linear{residual, a, b};
   return linear.by_b.transpose() * linear.value;
 }
@@ -83,7 +84,7 @@ RefinedPose SlidingWindow::add(const Pose2& guess, std::span<const Eigen::Vector
                      {endpoints_in_base.begin(), endpoints_in_base.end()},
                      surface_normals(endpoints_in_base),
                      motion,
-                     weights_of(deviation)});
+                     root_information_of(deviation)});
   solve();
   measure();
   const Eigen::MatrixXd covariance = information().inverse();
@@ -98,7 +99,7 @@ void SlidingWindow::solve() {
   // Distances stay in metres; all else is scaled so that it is in units of the same deviation.
   const double unit_m = deviation_m_ / std::sqrt(options_.beam_weight);
   std::deque<ScanResidual> beams;  // a cost function does not move
-  std::deque<OdometryResidual> motions;
+  std::deque<RelativePoseResidual> motions;
   const Eigen::Matrix3d root = prior_information_.llt().matrixU();
   MarginalResidual prior{prior_, unit_m * root};
   ceres::CauchyLoss loss{options_.loss_m};
@@ -111,7 +112,7 @@ void SlidingWindow::solve() {
       problem.AddResidualBlock(&beams.emplace_back(field_, endpoint), &loss, frame.pose.data());
     }
     if (i == 0) continue;
-    problem.AddResidualBlock(&motions.emplace_back(frame.motion, unit_m * frame.weights), nullptr,
+    problem.AddResidualBlock(&motions.emplace_back(frame.motion, unit_m * frame.root_information), nullptr,
                              frames_[i - 1].pose.data(), frame.pose.data());
   }
 
@@ -137,7 +138,7 @@ Eigen::MatrixXd SlidingWindow::information() const {
     const auto at = static_cast<Eigen::Index>(3 * i);
     all.block<3, 3>(at, at) += measurements_[i].information;
     if (i == 0) continue;
-    const OdometryResidual residual{frames_[i].motion, frames_[i].weights};
+    const RelativePoseResidual residual{frames_[i].motion, frames_[i].root_information};
     all.block<6, 6>(at - 3, at - 3) += information_of(residual, frames_[i - 1].pose, frames_[i].pose);
   }
   return all;
@@ -150,7 +151,7 @@ void SlidingWindow::drop_oldest() {
     return;
   }
   const Frame& next = frames_[1];
-  const OdometryResidual residual{next.motion, next.weights};
+  const RelativePoseResidual residual{next.motion, next.root_information};
   Eigen::Matrix<double, 6, 6> both = information_of(residual, frames_[0].pose, next.pose);
   both.topLeftCorner<3, 3>() += prior_information_ + measurements_[0].information;
   const Eigen::Matrix3d gain = both.bottomLeftCorner<3, 3>() * both.topLeftCorner<3, 3>().inverse();

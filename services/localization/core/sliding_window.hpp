@@ -47,8 +47,8 @@ class SlidingWindow {
     Eigen::Vector3d pose;  ///< x, y, heading in the map
     std::vector<Eigen::Vector2d> endpoints_in_base;
     std::vector<Eigen::Vector2d> normals_in_base;
-    Pose2 motion;             ///< from the frame before
-    Eigen::Vector3d weights;  ///< of that motion: 1 / deviation
+    Pose2 motion;                      ///< from the frame before
+    Eigen::Matrix3d root_information;  ///< of that motion
   };
 
   void solve();

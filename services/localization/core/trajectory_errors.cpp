@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "services/localization/core/number_lines.hpp"
 
@@ -16,6 +17,17 @@ constexpr double kWrongDeg = 10.0;
 bool is_within(const TimeWindows& windows, double time_s) {
   return std::any_of(windows.begin(), windows.end(),
                      [time_s](const auto& window) { return time_s >= window.first && time_s <= window.second; });
+}
+
+std::pair<double, double> mean_and_deviation(std::span<const double> values) {
+  if (values.empty()) return {};
+  double mean = 0.0;
+  double square = 0.0;
+  for (const double value : values) {
+    mean += value / static_cast<double>(values.size());
+    square += value * value / static_cast<double>(values.size());
+  }
+  return {mean, std::sqrt(std::max(0.0, square - mean * mean))};
 }
 
 double root_of_mean(double sum, std::size_t count) {
@@ -93,21 +105,56 @@ std::vector<Relation> parse_relations(const std::string& text, const std::string
 
 RelationErrors relation_errors_of(std::span<const TimedPose> estimates, std::span<const Relation> relations,
                                   double truth_offset_s) {
-  RelationErrors errors;
-  double square = 0.0;
+  std::vector<double> metres;
+  std::vector<double> degrees;
   for (const Relation& relation : relations) {
     const auto from = pose_at(estimates, relation.from - from_seconds(truth_offset_s));
     const auto to = pose_at(estimates, relation.to - from_seconds(truth_offset_s));
     if (!from || !to) continue;
-    const double error = (inverse(relation.from_pose_to_pose) * (inverse(*from) * *to)).position().norm();
-    ++errors.compared;
-    errors.mean_m += error;
-    square += error * error;
+    const Pose2 error = inverse(relation.from_pose_to_pose) * (inverse(*from) * *to);
+    metres.push_back(error.position().norm());
+    degrees.push_back(std::abs(to_degrees(error.heading)));
   }
-  if (errors.compared == 0) return errors;
-  const auto count = static_cast<double>(errors.compared);
-  errors.mean_m /= count;
-  errors.deviation_m = std::sqrt(std::max(0.0, square / count - errors.mean_m * errors.mean_m));
+  RelationErrors errors{.compared = metres.size()};
+  std::tie(errors.mean_m, errors.deviation_m) = mean_and_deviation(metres);
+  std::tie(errors.mean_deg, errors.deviation_deg) = mean_and_deviation(degrees);
+  return errors;
+}
+
+FormErrors form_errors_of(std::span<const TimedPose> estimates, std::span<const TimedPose> truth,
+                          double truth_offset_s) {
+  std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> pairs;
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  Eigen::Vector2d true_middle = Eigen::Vector2d::Zero();
+  for (const TimedPose& estimate : estimates) {
+    const auto there = pose_at(truth, estimate.time + from_seconds(truth_offset_s));
+    if (!there) continue;
+    pairs.emplace_back(estimate.map_from_base.position(), there->position());
+    middle += pairs.back().first;
+    true_middle += pairs.back().second;
+  }
+  FormErrors errors{.compared = pairs.size()};
+  if (pairs.empty()) return errors;
+  middle /= static_cast<double>(pairs.size());
+  true_middle /= static_cast<double>(pairs.size());
+  double along = 0.0;
+  double across = 0.0;
+  for (const auto& [point, true_point] : pairs) {
+    const Eigen::Vector2d a = point - middle;
+    const Eigen::Vector2d b = true_point - true_middle;
+    along += a.dot(b);
+    across += a.x() * b.y() - a.y() * b.x();
+  }
+  const Pose2 turn{0.0, 0.0, std::atan2(across, along)};
+  const Eigen::Vector2d origin = true_middle - turn * middle;
+  errors.truth_from_map = {origin.x(), origin.y(), turn.heading};
+  double square = 0.0;
+  for (const auto& [point, true_point] : pairs) {
+    const double distance = (errors.truth_from_map * point - true_point).norm();
+    square += distance * distance;
+    errors.max_m = std::max(errors.max_m, distance);
+  }
+  errors.rmse_m = root_of_mean(square, pairs.size());
   return errors;
 }
 

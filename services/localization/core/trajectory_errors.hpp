@@ -56,10 +56,25 @@ struct RelationErrors {
   std::size_t compared = 0;
   double mean_m = 0.0;
   double deviation_m = 0.0;
+  double mean_deg = 0.0;
+  double deviation_deg = 0.0;
 };
 
-/// Translational errors of the estimates' relative poses; relation time is an estimate's time plus `truth_offset_s`.
+/// Errors, in position and in heading, of the estimates' relative poses; relation time is an estimate's time plus
+/// `truth_offset_s`.
 [[nodiscard]] RelationErrors relation_errors_of(std::span<const TimedPose> estimates,
                                                 std::span<const Relation> relations, double truth_offset_s);
+
+/// How well the estimates have the form of a reference whose origin is elsewhere.
+struct FormErrors {
+  std::size_t compared = 0;
+  double rmse_m = 0.0;
+  double max_m = 0.0;
+  Pose2 truth_from_map{};  ///< lays the estimates onto the truth with the least squares of distances
+};
+
+/// Lays the estimates onto the truth as a whole, and compares positions. `truth` is ordered by time.
+[[nodiscard]] FormErrors form_errors_of(std::span<const TimedPose> estimates, std::span<const TimedPose> truth,
+                                        double truth_offset_s);
 
 }  // namespace tandem

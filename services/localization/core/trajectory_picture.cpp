@@ -8,6 +8,7 @@ namespace tandem {
 namespace {
 
 constexpr double kPixelsPerM = 25.0;
+constexpr double kMostPixels = 1600.0;  ///< A larger map is drawn smaller.
 constexpr double kMarginPx = 20.0;
 
 std::string number(double value) {
@@ -20,7 +21,7 @@ std::string number(double value) {
 class Canvas {
  public:
   /// Shows the part of the map in which anything is known.
-  explicit Canvas(const OccupancyGrid& map) : map_(map), pixels_per_cell_(kPixelsPerM * map.resolution_m()) {
+  explicit Canvas(const OccupancyGrid& map) : map_(map) {
     for (int row = 0; row < map.height(); ++row) {
       for (int column = 0; column < map.width(); ++column) {
         if (map.at(CellIndex{column, row}) == CellState::Unknown) continue;
@@ -29,6 +30,8 @@ class Canvas {
       }
     }
     if (last_.column == 0) first_ = {0, 0};
+    const int longest = std::max({1, last_.column - first_.column, last_.row - first_.row});
+    pixels_per_cell_ = std::min(kPixelsPerM * map.resolution_m(), kMostPixels / longest);
   }
   [[nodiscard]] double width() const { return (last_.column - first_.column) * pixels_per_cell_ + 2.0 * kMarginPx; }
   [[nodiscard]] double height() const { return (last_.row - first_.row) * pixels_per_cell_ + 2.0 * kMarginPx; }
@@ -55,11 +58,18 @@ class Canvas {
     for (const TimedPose& pose : poses) points += at(map_.in_cells(pose.map_from_base.position())) + " ";
     return points;
   }
+  [[nodiscard]] std::string links(std::span<const PictureLink> closures) const {
+    std::string path;
+    for (const PictureLink& link : closures) {
+      path += "M" + at(map_.in_cells(link.from_in_map)) + "L" + at(map_.in_cells(link.to_in_map));
+    }
+    return path;
+  }
   [[nodiscard]] double cell_px() const { return pixels_per_cell_; }
 
  private:
   const OccupancyGrid& map_;
-  double pixels_per_cell_;
+  double pixels_per_cell_ = 1.0;
   CellIndex first_{1 << 30, 1 << 30};
   CellIndex last_{0, 0};
 };
@@ -67,19 +77,25 @@ class Canvas {
 }  // namespace
 
 std::string trajectory_picture(const OccupancyGrid& map, std::span<const TimedPose> estimate,
-                               std::span<const TimedPose> truth) {
+                               const PictureLayers& layers) {
   const Canvas canvas{map};
   std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(canvas.width()) + "\" height=\"" +
                     number(canvas.height()) + "\" font-family=\"sans-serif\" font-size=\"13\">\n" +
                     "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   svg += "<path d=\"" + canvas.walls() + "\" stroke=\"#222\" stroke-width=\"" + number(canvas.cell_px()) + "\"/>\n";
-  if (!truth.empty()) {
-    svg += "<polyline points=\"" + canvas.way(truth) +
+  if (!layers.truth.empty()) {
+    svg += "<polyline points=\"" + canvas.way(layers.truth) +
            "\" fill=\"none\" stroke=\"#f28e2b\" stroke-linejoin=\"round\" stroke-width=\"5\"/>\n";
     svg += "<text x=\"150\" y=\"15\" fill=\"#f28e2b\">true</text>\n";
   }
   svg += "<polyline points=\"" + canvas.way(estimate) + "\" fill=\"none\" stroke=\"#1f77b4\" stroke-width=\"1.5\"/>\n";
-  svg += "<text x=\"20\" y=\"15\" fill=\"#1f77b4\">estimated</text>\n</svg>\n";
+  svg += "<text x=\"20\" y=\"15\" fill=\"#1f77b4\">estimated</text>\n";
+  if (!layers.closures.empty()) {
+    svg += "<path d=\"" + canvas.links(layers.closures) +
+           "\" stroke=\"#d62728\" stroke-linecap=\"round\" stroke-width=\"4\"/>\n";
+    svg += "<text x=\"210\" y=\"15\" fill=\"#d62728\">closures</text>\n";
+  }
+  svg += "</svg>\n";
   return svg;
 }
 

@@ -10,14 +10,14 @@
 
 namespace tandem {
 
-/// The wheels between two poses a and b of the base in the map:
+/// A measured motion between two poses a and b of the base in the map, by the wheels or by laying scans together:
 ///
-///   r = W (R(a)^T (p_b - p_a) - p_z,  b - a - z)
-/// with the motion z = (p_z, z) that they reported, seen from a, and W = diag(1 / deviation): forward, sideways, turn.
-class OdometryResidual final : public ceres::SizedCostFunction<3, 3, 3> {
+///   r = S (R(a)^T (p_b - p_a) - p_z,  b - a - z)
+/// with the motion z = (p_z, z) seen from a, and S^T S its information: forward, sideways, turn.
+class RelativePoseResidual final : public ceres::SizedCostFunction<3, 3, 3> {
  public:
-  OdometryResidual(const Pose2& before_from_after, const Eigen::Vector3d& weights)
-      : before_from_after_(before_from_after), weights_(weights) {}
+  RelativePoseResidual(const Pose2& before_from_after, const Eigen::Matrix3d& root_information)
+      : before_from_after_(before_from_after), root_information_(root_information) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
     const Eigen::Map<const Eigen::Vector3d> a{parameters[0]};
@@ -28,25 +28,25 @@ class OdometryResidual final : public ceres::SizedCostFunction<3, 3, 3> {
     const Eigen::Vector2d seen{c * way.x() + s * way.y(), -s * way.x() + c * way.y()};
     Eigen::Map<Eigen::Vector3d> residual{residuals};
     residual << seen - before_from_after_.position(), wrap_to_pi(b.z() - a.z() - before_from_after_.heading);
-    residual = weights_.cwiseProduct(residual);
+    residual = root_information_ * residual.eval();
     if (jacobians == nullptr) return true;
     using Jacobian = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
     if (jacobians[0] != nullptr) {
       Eigen::Map<Jacobian> by_a{jacobians[0]};
       by_a << -c, -s, seen.y(), s, -c, -seen.x(), 0.0, 0.0, -1.0;
-      by_a = weights_.asDiagonal() * by_a;
+      by_a = root_information_ * by_a.eval();
     }
     if (jacobians[1] != nullptr) {
       Eigen::Map<Jacobian> by_b{jacobians[1]};
       by_b << c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0;
-      by_b = weights_.asDiagonal() * by_b;
+      by_b = root_information_ * by_b.eval();
     }
     return true;
   }
 
  private:
   Pose2 before_from_after_;
-  Eigen::Vector3d weights_;
+  Eigen::Matrix3d root_information_;
 };
 
 /// What all that has left the window said of its oldest pose: r = S (pose - mean), S^T S the information, the turn

@@ -2,37 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "services/mapping/core/grid_axis.hpp"
 
 namespace tandem {
 namespace {
-
-/// The walk along one axis: in which cell the ray is, and at which length [cells] it enters the next one.
-struct Axis {
-  Axis(double start, double direction, int first_cell) : cell(first_cell) {
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    if (direction > 0.0) {
-      step = 1;
-      next = (first_cell + 1 - start) / direction;
-      between = 1.0 / direction;
-    } else if (direction < 0.0) {
-      step = -1;
-      next = (first_cell - start) / direction;
-      between = -1.0 / direction;
-    } else {
-      next = kNever;
-      between = kNever;
-    }
-  }
-  void advance() {
-    cell += step;
-    next += between;
-  }
-  int cell;
-  int step = 0;
-  double next;     ///< [cells] from the start of the ray
-  double between;  ///< [cells]
-};
 
 /// The part [first, second] of the ray, in cells, that lies within 0 and `size` along one axis; cuts the given one.
 void cut_to_grid(double start, double direction, double size, double& first, double& second) {
@@ -57,8 +31,8 @@ std::optional<double> length_to_obstacle(const OccupancyGrid& grid, const Eigen:
 
   const Eigen::Vector2d inside = start + entry * direction;
   // On the upper border the first cell is the one below it: rounding must not start outside.
-  Axis column{start.x(), direction.x(), std::clamp(static_cast<int>(std::floor(inside.x())), 0, grid.width() - 1)};
-  Axis row{start.y(), direction.y(), std::clamp(static_cast<int>(std::floor(inside.y())), 0, grid.height() - 1)};
+  GridAxis column{start.x(), direction.x(), std::clamp(static_cast<int>(std::floor(inside.x())), 0, grid.width() - 1)};
+  GridAxis row{start.y(), direction.y(), std::clamp(static_cast<int>(std::floor(inside.y())), 0, grid.height() - 1)};
   const CellState* cells = grid.cells().data();
   const int width = grid.width();
   const int height = grid.height();
@@ -68,7 +42,7 @@ std::optional<double> length_to_obstacle(const OccupancyGrid& grid, const Eigen:
               static_cast<std::size_t>(column.cell)] == CellState::Occupied) {
       return length;
     }
-    Axis& nearer = column.next < row.next ? column : row;
+    GridAxis& nearer = column.next < row.next ? column : row;
     length = std::max(length, nearer.next);
     nearer.advance();
     if (column.cell < 0 || column.cell >= width || row.cell < 0 || row.cell >= height) return std::nullopt;

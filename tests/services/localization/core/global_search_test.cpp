@@ -112,5 +112,19 @@ TEST(GlobalSearch, FindsNoPlaceWhereNoneIsFree) {
   EXPECT_TRUE(Place{test::uneven_room()}.search.candidates({}, {}).empty());
 }
 
+TEST(GlobalSearch, StaysWithinAnArea) {
+  const Place room{symmetric_room()};
+  const Pose2 truth{2.0, 1.5, 0.4};
+  GlobalSearchOptions options;
+  options.within = PoseArea{.centre_in_map = {2.2, 1.4, 0.3}, .half_side_m = 0.5, .half_turn_rad = 0.3};
+  const auto found = room.search.candidates(room.seen_from(truth), options);
+  ASSERT_EQ(found.size(), 1U);  // the other place of the symmetric room is out of it
+  EXPECT_LT((found[0].map_from_base.position() - truth.position()).norm(), 0.2);
+  options.within->centre_in_map = {2.0, 1.5, 2.0};
+  for (const Candidate& candidate : room.search.candidates(room.seen_from(truth), options)) {
+    EXPECT_LE(std::abs(turn_between(2.0, candidate.map_from_base.heading)), 0.3);
+  }
+}
+
 }  // namespace
 }  // namespace tandem

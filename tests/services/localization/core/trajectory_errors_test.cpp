@@ -65,5 +65,33 @@ TEST(RelationErrors, AreDistances) {
   EXPECT_NEAR(relation_errors_of(poses, parse_relations("1 2 1 0 0 0 0 0\n", "r"), 0.0).mean_m, 0.5, 1e-12);
 }
 
+TEST(RelationErrors, CountTheTurnToo) {
+  const std::vector<TimedPose> way{{Time{}, {}}, {Time{from_seconds(1.0)}, {1.0, 0.0, 0.1}}};
+  const std::vector<Relation> relations{{Time{}, Time{from_seconds(1.0)}, {1.0, 0.0, 0.0}},
+                                        {Time{}, Time{from_seconds(1.0)}, {1.0, 0.0, 0.3}}};
+  const RelationErrors errors = relation_errors_of(way, relations, 0.0);
+  EXPECT_NEAR(errors.mean_deg, to_degrees(0.15), 1e-9);  // 0.1 and 0.2 rad off
+  EXPECT_NEAR(errors.deviation_deg, to_degrees(0.05), 1e-9);
+}
+
+TEST(FormErrors, DoNotCareWhereTheMapBegins) {
+  const std::vector<TimedPose> truth{
+      {Time{}, {}}, {Time{from_seconds(1.0)}, {4.0, 0.0, 0.0}}, {Time{from_seconds(2.0)}, {4.0, 3.0, 0.0}}};
+  const Pose2 map_from_truth{7.0, -2.0, 1.0};
+  std::vector<TimedPose> estimate = truth;
+  for (TimedPose& pose : estimate) pose.map_from_base = map_from_truth * pose.map_from_base;
+  const FormErrors errors = form_errors_of(estimate, truth, 0.0);
+  EXPECT_EQ(errors.compared, 3U);
+  EXPECT_NEAR(errors.max_m, 0.0, 1e-9);
+  EXPECT_NEAR(turn_between(errors.truth_from_map.heading, -1.0), 0.0, 1e-9);
+}
+
+TEST(FormErrors, AreHowFarTheFormIsOff) {
+  const std::vector<TimedPose> truth{{Time{}, {-1.0, 0.0, 0.0}}, {Time{from_seconds(1.0)}, {1.0, 0.0, 0.0}}};
+  const std::vector<TimedPose> estimate{{Time{}, {-1.5, 0.0, 0.0}}, {Time{from_seconds(1.0)}, {1.5, 0.0, 0.0}}};
+  EXPECT_NEAR(form_errors_of(estimate, truth, 0.0).rmse_m, 0.5, 1e-9);
+  EXPECT_EQ(form_errors_of({}, truth, 0.0).compared, 0U);
+}
+
 }  // namespace
 }  // namespace tandem

@@ -33,8 +33,8 @@ void expect_derivatives_as_differences(const ceres::CostFunction& residual, std:
   }
 }
 
-TEST(OdometryResidual, IsZeroWhereTheRobotDroveAsTheWheelsSay) {
-  const OdometryResidual residual{{2.0, 0.0, 0.5}, {10.0, 10.0, 10.0}};
+TEST(RelativePoseResidual, IsZeroWhereTheRobotDroveAsTheWheelsSay) {
+  const RelativePoseResidual residual{{2.0, 0.0, 0.5}, Eigen::Vector3d{10.0, 10.0, 10.0}.asDiagonal().toDenseMatrix()};
   const Eigen::Vector3d before{1.0, 1.0, 0.0};
   const Eigen::Vector3d after{3.0, 1.0, 0.5};
   const double* parameters[] = {before.data(), after.data()};
@@ -44,8 +44,8 @@ TEST(OdometryResidual, IsZeroWhereTheRobotDroveAsTheWheelsSay) {
   EXPECT_LT(value.norm(), 1e-12);
 }
 
-TEST(OdometryResidual, CountsInDeviations) {
-  const OdometryResidual residual{{2.0, 0.0, 0.0}, {10.0, 20.0, 1.0}};
+TEST(RelativePoseResidual, CountsInDeviations) {
+  const RelativePoseResidual residual{{2.0, 0.0, 0.0}, Eigen::Vector3d{10.0, 20.0, 1.0}.asDiagonal().toDenseMatrix()};
   const Eigen::Vector3d before{0.0, 0.0, 0.0};
   const Eigen::Vector3d after{2.1, 0.1, 0.0};
   const double* parameters[] = {before.data(), after.data()};
@@ -56,11 +56,12 @@ TEST(OdometryResidual, CountsInDeviations) {
   EXPECT_NEAR(value.y(), 2.0, 1e-9);
 }
 
-TEST(OdometryResidual, HasTheDerivativesThatDifferencesHave) {
+TEST(RelativePoseResidual, HasTheDerivativesThatDifferencesHave) {
   Rng rng{21};
   for (int i = 0; i < 100; ++i) {
     const auto pose = [&] { return Eigen::Vector3d{rng.uniform(-5, 5), rng.uniform(-5, 5), rng.uniform(-1.5, 1.5)}; };
-    const OdometryResidual residual{{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-0.1, 0.1)}, {3.0, 5.0, 7.0}};
+    const RelativePoseResidual residual{{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-0.1, 0.1)},
+                                        Eigen::Vector3d{3.0, 5.0, 7.0}.asDiagonal().toDenseMatrix()};
     const std::vector<Eigen::Vector3d> poses{pose(), pose()};
     expect_derivatives_as_differences(residual, poses, 0);
     expect_derivatives_as_differences(residual, poses, 1);
