@@ -25,7 +25,6 @@ constexpr double kFastestMps = 5.0;        ///< No robot of ours drives faster, 
 constexpr double kFastestRadps = 8.0;      ///< ... or turns faster.
 constexpr double kShortestS = 0.1;         ///< Stamps of samples close together are not exact.
 constexpr double kNever = -1e9;            ///< [m] on the way
-constexpr double kOneHypothesis = 0.9;     ///< Weight of a group that leaves no doubt.
 
 PlaceFinderOptions finder_options(const LocalizationConfig& config) {
   PlaceFinderOptions options;
@@ -133,13 +132,13 @@ std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odome
   return {motion, deviation};
 }
 
-Localizer::Fit Localizer::tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation) {
+PoseFit Localizer::tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation) {
   RefinedPose pose{group.map_from_base, group.covariance};
   if (config_.window_scans > 0) pose = window_.add(group.map_from_base, endpoints_, motion, deviation);
   return {pose, agreement_at(pose.map_from_base)};
 }
 
-Localizer::Fit Localizer::fit_at(const Pose2& map_from_base) const {
+PoseFit Localizer::fit_at(const Pose2& map_from_base) const {
   const RefinementOptions options{.loss_m = config_.refine_loss_m,
                                   .hit_deviation_m = config_.hit_deviation_m,
                                   .beam_weight = config_.beam_weight,
@@ -153,14 +152,14 @@ double Localizer::agreement_at(const Pose2& map_from_base) const {
   return agreement_of(map_, distances_, map_from_base, laser_in_base_, endpoints_, config_.fit_distance_m);
 }
 
-Localizer::Fit Localizer::corrected(Fit fit, Time time) {
+PoseFit Localizer::corrected(PoseFit fit, Time time) {
   slipped_ = false;
   if (fit.agreement >= config_.search_below || !trusted_) return fit;  // lost: the finder looks everywhere
   const SearchWindow window{.half_side_m = config_.search_window_m,
                             .half_turn_rad = config_.search_window_rad,
                             .prior_weight = config_.search_prior_weight};
   const Pose2 found = best_pose_in_window(likelihoods_, few_endpoints_, fit.pose.map_from_base, window);
-  const Fit searched = fit_at(found);
+  const PoseFit searched = fit_at(found);
   if (searched.agreement < fit.agreement + kClearlyBetter) return fit;
   slipped_ = (searched.pose.map_from_base.position() - fit.pose.map_from_base.position()).norm() > kSlipM;
   window_.restart();
@@ -182,12 +181,12 @@ bool Localizer::is_in_doubt() {
   return true;
 }
 
-Localizer::Fit Localizer::settled_at(const Pose2& place) const {
+PoseFit Localizer::settled_at(const Pose2& place) const {
   const SearchWindow window{.half_side_m = 0.4, .half_turn_rad = 0.1, .prior_weight = 0.1};
   return fit_at(best_pose_in_window(likelihoods_, few_endpoints_, place, window));
 }
 
-void Localizer::believe(const Fit& fit) {
+void Localizer::believe(const PoseFit& fit) {
   particles_ =
       particles_around(fit.pose.map_from_base, 0.1, 0.05, static_cast<std::size_t>(config_.particles_max), rng_);
   window_.restart();
@@ -198,7 +197,7 @@ void Localizer::believe(const Fit& fit) {
   probation_from_m_ = kNever;
 }
 
-Localizer::Fit Localizer::judged(Fit fit, const OdometrySample& odometry) {
+PoseFit Localizer::judged(PoseFit fit, const OdometrySample& odometry) {
   const bool was_ok = status_ == LocalizationStatus::Ok;
   status_ = monitor_.add(odometry.time, fit.agreement);
   mean_agreement_ += kNewScanShare * (fit.agreement - mean_agreement_);
@@ -215,7 +214,7 @@ Localizer::Fit Localizer::judged(Fit fit, const OdometrySample& odometry) {
     const double gain = finding.score - finder_.score_at(fit.pose.map_from_base);
     if (is_elsewhere && gain > config_.doubt_score) trusted_ = false;
   } else if (finding.certain) {
-    const Fit there = is_elsewhere ? settled_at(place) : fit;
+    const PoseFit there = is_elsewhere ? settled_at(place) : fit;
     if (there.agreement < config_.agreement_ok) return fit;
     believe(there);
     return there;
@@ -228,13 +227,13 @@ std::optional<LocalizationResult> Localizer::sought(const OdometrySample& odomet
   remember(odometry, false);
   const Finding& finding = finder_.find();
   if (finding.places.empty()) return std::nullopt;
-  const Fit fit = settled_at(finding.places.front().map_from_base);
+  const PoseFit fit = settled_at(finding.places.front().map_from_base);
   status_ = LocalizationStatus::Uncertain;
   if (finding.certain && fit.agreement >= config_.agreement_ok) believe(fit);
-  return result_of(fit, {finding.places.begin() + 1, finding.places.end()});
+  return claimed(odometry, fit, {finding.places.begin() + 1, finding.places.end()});
 }
 
-void Localizer::resample(const Fit& fit) {
+void Localizer::resample(const PoseFit& fit) {
   if (effective_share(particles_) < config_.resample_below) {
     const auto wanted = static_cast<std::int64_t>(kld_count(particles_, config_.kld_error, config_.kld_quantile));
     const std::int64_t most = std::max(config_.particles_max, static_cast<std::int64_t>(particles_.size()));
@@ -282,30 +281,19 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   few_endpoints_ = thinned(endpoints_, static_cast<std::size_t>(config_.filter_beams));
 
   if (particles_.empty()) return sought(*odometry);
-  if (auto resting = result_at_rest(*odometry)) return resting;
+  if (const auto resting = fit_at_rest(*odometry)) return claimed(*odometry, *resting, {});
 
   const auto [motion, deviation] = predict(*odometry);
   weigh(particles_, likelihoods_, few_endpoints_, config_.beam_weight);
   const auto groups = clusters(particles_, 3);
-  const Fit fit = judged(corrected(tracked(groups.front(), motion, deviation), scan.time), *odometry);
+  const PoseFit fit = judged(corrected(tracked(groups.front(), motion, deviation), scan.time), *odometry);
   resample(fit);
   last_fit_ = fit;
-  return result_of(fit, other_places(fit, groups));
+  const auto others = trusted_ ? other_groups(groups) : other_places(finder_.last_finding(), fit.pose.map_from_base);
+  return claimed(*odometry, fit, others);
 }
 
-std::vector<PoseHypothesis> Localizer::other_places(const Fit& fit, const std::vector<Cluster>& groups) const {
-  std::vector<PoseHypothesis> others;
-  if (!trusted_) {
-    for (const PoseHypothesis& place : finder_.last_finding().places) {
-      if (!PlaceFinder::is_same(place.map_from_base, fit.pose.map_from_base)) others.push_back(place);
-    }
-  } else if (groups.front().weight < kOneHypothesis) {
-    for (std::size_t i = 1; i < groups.size(); ++i) others.push_back({groups[i].map_from_base, groups[i].weight});
-  }
-  return others;
-}
-
-std::optional<LocalizationResult> Localizer::result_at_rest(const OdometrySample& odometry) {
+std::optional<PoseFit> Localizer::fit_at_rest(const OdometrySample& odometry) const {
   if (!last_fit_ || status_ != LocalizationStatus::Ok || !trusted_ || last_->epoch != odometry.epoch) {
     return std::nullopt;
   }
@@ -313,33 +301,19 @@ std::optional<LocalizationResult> Localizer::result_at_rest(const OdometrySample
   if (motion.position().norm() >= config_.min_motion_m || std::abs(motion.heading) >= config_.min_turn_rad) {
     return std::nullopt;
   }
-  Fit fit = *last_fit_;
+  PoseFit fit = *last_fit_;
   fit.pose.map_from_base = fit.pose.map_from_base * motion;
   fit.agreement = agreement_at(fit.pose.map_from_base);
   if (fit.agreement < config_.agreement_ok) return std::nullopt;
-  LocalizationResult result = result_of(fit, {});
-  result.time = odometry.time;
-  return result;
+  return fit;
 }
 
-LocalizationResult Localizer::result_of(const Fit& fit, const std::vector<PoseHypothesis>& others) const {
-  LocalizationResult result{.time = last_->time,
-                            .odometry_epoch = last_->epoch,
-                            .map_from_base = fit.pose.map_from_base,
-                            .covariance = fit.pose.covariance,
-                            .agreement = fit.agreement,
-                            .status = status_,
-                            .hypotheses = {{fit.pose.map_from_base, 1.0}}};
-  for (const PoseHypothesis& other : others) {
-    result.hypotheses.front().weight -= other.weight;
-    result.hypotheses.push_back(other);
-  }
+LocalizationResult Localizer::claimed(const OdometrySample& odometry, const PoseFit& fit,
+                                      const std::vector<PoseHypothesis>& others) const {
   const bool on_probation = finder_.way_m() - probation_from_m_ < config_.place_certain_m;
-  const bool doubtful = !others.empty() || !trusted_ || on_probation;
-  if (doubtful && result.status == LocalizationStatus::Ok) result.status = LocalizationStatus::Uncertain;
-  std::stable_sort(result.hypotheses.begin(), result.hypotheses.end(),
-                   [](const PoseHypothesis& a, const PoseHypothesis& b) { return a.weight > b.weight; });
-  return result;
+  const bool doubtful = !trusted_ || on_probation;
+  const bool claims_too_much = doubtful && status_ == LocalizationStatus::Ok;
+  return result_of(odometry, fit, claims_too_much ? LocalizationStatus::Uncertain : status_, others);
 }
 
 }  // namespace tandem

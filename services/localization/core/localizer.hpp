@@ -12,6 +12,7 @@
 #include "services/localization/core/input_faults.hpp"
 #include "services/localization/core/laser_scan.hpp"
 #include "services/localization/core/likelihood_field.hpp"
+#include "services/localization/core/localization_result.hpp"
 #include "services/localization/core/localization_config.hpp"
 #include "services/localization/core/odometry_history.hpp"
 #include "services/localization/core/particles.hpp"
@@ -29,17 +30,6 @@ struct PoseHint {
   Pose2 map_from_base;
   bool heading_known = true;
   double standard_deviation_m = 0.5;
-};
-
-/// Where the robot was at the time of a scan.
-struct LocalizationResult {
-  Time time{};
-  int odometry_epoch = 0;
-  Pose2 map_from_base;
-  Covariance3 covariance = Covariance3::Zero();
-  double agreement = 0.0;  ///< [0, 1] share of beams that fit the map
-  LocalizationStatus status = LocalizationStatus::Lost;
-  std::vector<PoseHypothesis> hypotheses;  ///< heaviest first; one when certain
 };
 
 /// Odometry, scans and a map in; poses out. The same inputs in the same order give the same poses, bit for bit.
@@ -64,11 +54,6 @@ class Localizer {
   [[nodiscard]] bool is_started() const { return !particles_.empty() || config_.start_globally; }
 
  private:
-  struct Fit {
-    RefinedPose pose;
-    double agreement = 0.0;
-  };
-
   /// Takes notice of `fault`: there is no pose for this scan.
   std::nullopt_t refused(InputFault fault);
   [[nodiscard]] bool is_stuck(const LaserScan& scan, const OdometrySample& odometry);
@@ -77,27 +62,27 @@ class Localizer {
   /// Moves the particles; the motion and how wrong it may be.
   std::pair<Pose2, MotionDeviation> predict(const OdometrySample& odometry);
   /// The filter's pose, refined together with the last ones.
-  [[nodiscard]] Fit tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation);
-  [[nodiscard]] Fit fit_at(const Pose2& map_from_base) const;
+  [[nodiscard]] PoseFit tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation);
+  [[nodiscard]] PoseFit fit_at(const Pose2& map_from_base) const;
   [[nodiscard]] double agreement_at(const Pose2& map_from_base) const;
   /// `fit`, or a pose near it that fits much better: wheels missed some motion.
-  [[nodiscard]] Fit corrected(Fit fit, Time time);
+  [[nodiscard]] PoseFit corrected(PoseFit fit, Time time);
   /// Keeps the panorama: it must not hold what was seen from two places with an unknown motion between.
   void remember(const OdometrySample& odometry, bool broken);
   /// Takes the agreement of `fit`, and decides whether it is still the place.
-  [[nodiscard]] Fit judged(Fit fit, const OdometrySample& odometry);
+  [[nodiscard]] PoseFit judged(PoseFit fit, const OdometrySample& odometry);
   [[nodiscard]] bool is_in_doubt();
   /// The pose at a place that was found, by the scan at hand.
-  [[nodiscard]] Fit settled_at(const Pose2& place) const;
-  void believe(const Fit& fit);
-  void resample(const Fit& fit);
+  [[nodiscard]] PoseFit settled_at(const Pose2& place) const;
+  void believe(const PoseFit& fit);
+  void resample(const PoseFit& fit);
   /// Without a start pose: what the finder says, until it is certain.
   [[nodiscard]] std::optional<LocalizationResult> sought(const OdometrySample& odometry);
-  /// The result where a robot that stands still learns nothing new; none if it moves or the scan does not fit.
-  [[nodiscard]] std::optional<LocalizationResult> result_at_rest(const OdometrySample& odometry);
-  /// Where else it may be; none when the place is beyond doubt.
-  [[nodiscard]] std::vector<PoseHypothesis> other_places(const Fit& fit, const std::vector<Cluster>& groups) const;
-  [[nodiscard]] LocalizationResult result_of(const Fit& fit, const std::vector<PoseHypothesis>& others) const;
+  /// The pose of a robot that stands still and learns nothing new; none if it moves or the scan does not fit.
+  [[nodiscard]] std::optional<PoseFit> fit_at_rest(const OdometrySample& odometry) const;
+  /// What is claimed of `fit`: not ok while anything was wrong lately, or while `others` are possible.
+  [[nodiscard]] LocalizationResult claimed(const OdometrySample& odometry, const PoseFit& fit,
+                                           const std::vector<PoseHypothesis>& others) const;
 
   LocalizationConfig config_;
   OccupancyGrid map_;
@@ -111,7 +96,7 @@ class Localizer {
   LocalizationStatus status_ = LocalizationStatus::Lost;
   Particles particles_;
   std::optional<OdometrySample> last_;  ///< where the wheels were when the particles were last moved
-  std::optional<Fit> last_fit_;         ///< the pose then
+  std::optional<PoseFit> last_fit_;         ///< the pose then
   Time distrust_until_{Duration::min()};
   bool trusted_ = true;             ///< is the place beyond doubt, whatever the last scan says?
   bool slipped_ = false;            ///< did the last scan show motion that the wheels missed?
