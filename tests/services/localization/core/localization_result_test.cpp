@@ -29,7 +29,7 @@ TEST(LocalizationResult, LeavesOutThePlaceWhereTheRobotIs) {
 }
 
 TEST(LocalizationResult, GivesItsPoseTheWeightThatTheOthersLeave) {
-  const OdometrySample odometry{.time = Time{from_seconds(2.0)}, .epoch = 3};
+  const OdometrySample odometry{Time{from_seconds(2.0)}, {}, {}, 3};
   const PoseFit fit{{{1.0, 2.0, 0.5}}, 0.8};
 
   const LocalizationResult result = result_of(odometry, fit, LocalizationStatus::Ok, {{{7.0, 0.0, 0.0}, 0.75}});
