@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <array>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
@@ -98,7 +99,10 @@ std::string carmen_log(const RecordedLog& log, std::vector<Time>& scan_times) {
     lines += text("ROBOTLASER1 0 %.9f %.9f %.9f %.1f 0.01 0 %zu", scan.angle_min_rad,
                   scan.angle_increment_rad * static_cast<double>(count - 1), scan.angle_increment_rad, scan.range_max_m,
                   count);
-    for (const float range : scan.ranges_m) lines += text(" %.3f", static_cast<double>(range));
+    for (const float range : scan.ranges_m) {
+      const double range_m = std::isfinite(range) ? static_cast<double>(range) : scan.range_max_m + 1.0;
+      lines += text(" %.3f", range_m);
+    }
     const Pose2& pose = odometry->odom_from_base;
     const std::string place = text(" %.6f %.6f %.6f", pose.x, pose.y, pose.heading);
     const double time_s = to_seconds(scan.time.time_since_epoch());

@@ -62,8 +62,10 @@ std::vector<Eigen::Vector2d> SetupCheck::points_of(const Alternative& alternativ
 }
 
 void SetupCheck::begin(const GlobalSearch& map, double score) {
-  const bool is_asked_again = votes_ > 0;
-  if (is_asked_again && way_m_ - begun_at_m_ < options_.apart_m) return;  // it would see the same
+  // Asked again where the robot has hardly moved, all would be answered as before.
+  double& last_asked_m = votes_ > 0 ? begun_at_m_ : all_begun_at_m_;
+  if ((votes_ > 0 || current_ == 0) && way_m_ - last_asked_m < options_.apart_m) return;
+  if (current_ == 0) all_begun_at_m_ = way_m_;
   GlobalSearchOptions search;
   search.count = 1;
   search.floor = std::max(score + options_.clearly_better, options_.least_score);

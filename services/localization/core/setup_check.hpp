@@ -65,7 +65,8 @@ class SetupCheck {
   Panorama seen_;
   Panorama mirrored_;
   double way_m_ = 0.0;
-  double begun_at_m_ = -1e9;  ///< way_m_ of the last search for the current one
+  double all_begun_at_m_ = -1e9;  ///< way_m_ when the first of all was last searched for
+  double begun_at_m_ = -1e9;      ///< way_m_ of the last search for the current one
   std::optional<GlobalSearchRun> run_;
 };
 
