@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kAround = 0.1;  ///< of the start pose [m], [rad], as our own runs begin
 
-/// The settings of MRPT's own demo but for the number of particles and 30 to 60 beams a scan instead of 9 to 18.
+/// The settings of MRPT's own demo, but for what was tried to do it justice: see README.md.
 constexpr const char* kSettings = R"([KLD_options]
 KLD_binSize_PHI_deg=10
 KLD_binSize_XY=0.10
@@ -35,8 +35,8 @@ adaptiveSampleSize=0
 BETA=0.5
 sampleSize=1
 [DummyOdometryParams]
-minStdXY=0.04
-minStdPHI=2
+minStdXY=0.15
+minStdPHI=4
 [MetricMap]
 occupancyGrid_count=1
 pointsMap_count=0
@@ -45,7 +45,7 @@ likelihoodMapSelection=-1
 resolution=0.05
 [MetricMap_occupancyGrid_00_likelihoodOpts]
 likelihoodMethod=4
-LF_decimation=6
+LF_decimation=2
 LF_stdHit=0.20
 LF_maxCorrsDistance=0.30
 LF_zHit=0.95

@@ -68,6 +68,8 @@ TEST_P(LiveLocalization, StaysWithinTwoCentimetresOfTandemLocalizeAndBelowThreeP
   site.host_domain = domain_[0];
   bus::Bus bus{bus::host_domain(site, "listener", bus::Pace::RealTime)};
   auto poses = bus.in_order(topic::kRobotPose);
+  auto health = bus.in_order(topic::kServiceHealth);
+  std::string latency;
   std::map<Time, Pose2> live;  // the last of a stamp: with the scan, not only with the wheels
   std::size_t sent = 0;
   const auto listen = [&] {
@@ -75,6 +77,9 @@ TEST_P(LiveLocalization, StaysWithinTwoCentimetresOfTandemLocalizeAndBelowThreeP
       const msg::Pose& pose = received.message.map_from_base();
       live[from_stamp_ns(received.message.stamp_ns())] = {pose.x(), pose.y(), pose.heading()};
       ++sent;
+    }
+    for (const auto& received : health.take()) {
+      if (received.message.service() == "localization") latency = received.message.reason();
     }
     return false;
   };
@@ -108,9 +113,9 @@ TEST_P(LiveLocalization, StaysWithinTwoCentimetresOfTandemLocalizeAndBelowThreeP
   }
   const auto scans = static_cast<double>(offline.size());
   const double scans_per_s = kRatePerS * GetParam();
-  std::printf("rate %.1f: %zu poses for %zu scans, %.2f %% within 2 cm; %.2f %% of a core at %.1f scans/s\n",
+  std::printf("rate %.1f: %zu poses for %zu scans, %.2f %% within 2 cm; %.2f %% of a core at %.1f scans/s; %s\n",
               GetParam(), sent, offline.size(), 100.0 * static_cast<double>(near) / scans, 100.0 * core_share,
-              scans_per_s);
+              scans_per_s, latency.c_str());
   EXPECT_GE(static_cast<double>(near), 0.99 * scans);
   EXPECT_LE(core_share, kMostOfACore * std::max(1.0, scans_per_s / 10.0));
   fs::remove_all(folder_);

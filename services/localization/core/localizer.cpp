@@ -175,6 +175,7 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   if (const auto resting = fit_at_rest(*odometry)) return claim(*odometry, *resting, {});
 
   const auto [motion, deviation] = predict(*odometry);
+  compare_with_mirrored();
   weigh(particles_, likelihoods_, few_endpoints_, config_.beam_weight);
   const auto groups = clusters(particles_, 3);
   const PoseFit fit = judged(corrected(tracked(groups.front(), motion, deviation), scan.time), *odometry);

@@ -117,6 +117,9 @@ class Localizer {
   [[nodiscard]] bool wants_places();
   /// Goes on with the search of the whole map; once that has answered, with that for a wrong setup.
   void search(std::size_t boxes);
+  /// Soon after a start the pose is known: does the scan at hand fit there clearly better with left and right
+  /// exchanged?
+  void compare_with_mirrored();
   /// While the laser or the map is set up wrongly, no place is beyond doubt.
   void note_setup();
   /// The pose at a place that was found, by the scan at hand.
@@ -150,6 +153,8 @@ class Localizer {
   bool slipped_ = false;                      ///< did the last scan show motion that the wheels missed?
   double mean_agreement_ = 1.0;               ///< of the last scans
   double probation_from_m_ = -1e9;            ///< finder_.way_m() when a scan last did not fit, or showed missed motion
+  double started_at_m_ = 0.0;                 ///< finder_.way_m() when it came to the place that it follows
+  int mirrored_fits_ = 0;                     ///< scans in a row that fitted better mirrored
   double doubted_at_m_ = 0.0;                 ///< finder_.way_m() when other places were last asked for, ...
   bool doubting_ = false;                     ///< ... and is the answer still to come?
   std::optional<Time> worked_at_;             ///< when the last input came

@@ -12,6 +12,9 @@ namespace {
 constexpr double kNewScanShare = 0.2;         ///< Weight of the newest scan in the mean agreement.
 constexpr double kHintDeviationRad = 0.3;     ///< How well a person tells a heading.
 constexpr double kAnyHeadingRad = 4.0;        ///< Wrapped, as good as uniform.
+constexpr double kMirrorCheckM = 1.0;         ///< way after a start
+constexpr double kClearlyBetter = 0.1;        ///< gain of agreement
+constexpr int kMirroredFits = 3;              ///< scans in a row
 constexpr double kNever = -1e9;               ///< [m] on the way
 constexpr double kRememberedAgreement = 0.8;  ///< A remembered pose must fit better than one that was followed.
 
@@ -34,6 +37,7 @@ void Localizer::apply_hint() {
   trusted_ = true;
   mean_agreement_ = 1.0;
   probation_from_m_ = kNever;
+  started_at_m_ = finder_.way_m();
   hint_.reset();
 }
 
@@ -66,6 +70,7 @@ bool Localizer::starts_where_remembered(const OdometrySample& odometry) {
 void Localizer::start_at(const OdometrySample& odometry) {
   if (remembered_ && starts_where_remembered(odometry)) return;
   if (config_.start.size() != 3) return;
+  started_at_m_ = finder_.way_m();
   particles_ = particles_around({config_.start[0], config_.start[1], config_.start[2]}, config_.start_deviation_m,
                                 config_.start_deviation_m, static_cast<std::size_t>(config_.particles_max), rng_);
 }
@@ -96,6 +101,34 @@ void Localizer::search(std::size_t boxes) {
   }
 }
 
+void Localizer::compare_with_mirrored() {
+  if (!trusted_ || finder_.way_m() - started_at_m_ > kMirrorCheckM) return;
+  const Pose2 expected = clusters(particles_, 1).front().map_from_base;
+  const double as_it_is = settled_at(expected).agreement;
+  const auto exchange = [this](std::vector<Eigen::Vector2d>& endpoints) {
+    const Pose2 laser_from_base = inverse(base_from_laser_);
+    for (Eigen::Vector2d& endpoint : endpoints) {
+      const Eigen::Vector2d in_laser = laser_from_base * endpoint;
+      endpoint = base_from_laser_ * Eigen::Vector2d{in_laser.x(), -in_laser.y()};
+    }
+  };
+  const std::vector<Eigen::Vector2d> all = endpoints_;
+  const std::vector<Eigen::Vector2d> few = few_endpoints_;
+  exchange(endpoints_);
+  exchange(few_endpoints_);
+  const double mirrored = settled_at(expected).agreement;
+  endpoints_ = all;
+  few_endpoints_ = few;
+  if (mirrored < as_it_is + kClearlyBetter) {
+    mirrored_fits_ = 0;
+    return;
+  }
+  probation_from_m_ = finder_.way_m();
+  if (++mirrored_fits_ < kMirroredFits) return;
+  trusted_ = false;  // the search of the whole map decides
+  place_score_ = as_it_is;
+}
+
 void Localizer::note_setup() {
   if (const auto fault = setup_.fault()) {
     faults_.add(*fault);
@@ -118,6 +151,7 @@ void Localizer::believe(const PoseFit& fit) {
   trusted_ = true;
   mean_agreement_ = 1.0;
   probation_from_m_ = kNever;
+  started_at_m_ = finder_.way_m();
   doubting_ = false;
 }
 

@@ -8,7 +8,7 @@ namespace {
 const Time kPutDown{from_seconds(100.0)};
 
 EstimatedPose estimate(double since_s, double x, LocalizationStatus status) {
-  return {{kPutDown + from_seconds(since_s), {x, 0.0, 0.0}}, {}, status};
+  return {{kPutDown + from_seconds(since_s), {x, 0.0, 0.0}}, Covariance3::Zero(), status};
 }
 
 /// The robot stands at x = 10.
