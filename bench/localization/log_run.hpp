@@ -10,7 +10,8 @@ namespace tandem::bench {
 /// A pose that the localizer gave, and what it cost.
 struct RunStep {
   LocalizationResult result;
-  double update_ms = 0.0;  ///< thread CPU time
+  double update_ms = 0.0;   ///< thread CPU time since the pose before
+  double longest_ms = 0.0;  ///< ... of the longest piece of it: for so long nothing is published
 };
 
 /// Which part of a log is run, and how.

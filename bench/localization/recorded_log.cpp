@@ -5,21 +5,24 @@
 
 #include "services/mapping/core/map_file.hpp"
 #include "services/recorder/core/carmen_log.hpp"
+#include "services/recorder/core/text_log.hpp"
 
 namespace tandem::bench {
 namespace {
 
-constexpr double kSickRangeM = 80.0;
+const Pose2 kLaserOfPioneer3dx{0.1, 0.0, 0.0};  ///< as its makers measured it
 
 LogEvent event_of(const carmen::Event& event) {
   if (const auto* odometry = std::get_if<carmen::Odometry>(&event)) {
-    return OdometrySample{Time{from_seconds(odometry->time_s)}, odometry->odom_from_base, {}, 0};
+    return OdometrySample{Time{from_seconds(odometry->time_s)}, odometry->odom_from_base, odometry->velocity, 0};
   }
   const auto& scan = std::get<carmen::Scan>(event);
   return LaserScan{.time = Time{from_seconds(scan.time_s)},
+                   .base_from_laser = scan.base_from_laser,
                    .angle_min_rad = scan.angle_min_rad,
                    .angle_increment_rad = scan.angle_increment_rad,
-                   .range_max_m = kSickRangeM,
+                   .range_min_m = scan.range_min_m,
+                   .range_max_m = scan.range_max_m,
                    .ranges_m = scan.ranges_m};
 }
 
@@ -38,8 +41,10 @@ std::vector<LogEvent> events_of(const std::filesystem::path& file) {
 }
 
 RecordedLog load_log(const std::string& name, const std::filesystem::path& data_folder) {
-  RecordedLog log{.name = name, .map = {}, .events = {}, .truth = {}};
-  log.map = load_map(data_folder / "maps" / (name == "fr079" ? "fr079_even.yaml" : name + "_full.yaml"));
+  RecordedLog log;
+  log.name = name;
+  log.map_file = data_folder / "maps" / (name == "fr079" ? "fr079_even.yaml" : name + "_full.yaml");
+  log.map = load_map(log.map_file);
   const auto stem = data_folder / name / name;
   std::size_t scans = 0;
   for (LogEvent& event : events_of(stem.string() + ".odomscan.txt.gz")) {
@@ -49,6 +54,18 @@ RecordedLog load_log(const std::string& name, const std::filesystem::path& data_
   const std::string truth = stem.string() + ".reference.txt";
   log.truth = parse_trajectory(carmen::read_log_file(truth), truth);
   std::stable_sort(log.truth.begin(), log.truth.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+  return log;
+}
+
+RecordedLog load_pioneer3dx_log(const std::string& name, const std::filesystem::path& data_folder) {
+  RecordedLog log;
+  log.name = name;
+  log.map_file = data_folder / "pioneer3dx" / "my_map2.yaml";
+  log.map = load_map(log.map_file);
+  const std::string file = (data_folder / "pioneer3dx" / (name + ".txt.gz")).string();
+  for (const carmen::Event& event : parse_text_log(carmen::read_log_file(file), file, kLaserOfPioneer3dx)) {
+    log.events.push_back(event_of(event));
+  }
   return log;
 }
 
@@ -75,7 +92,10 @@ RecordedLog carried(const RecordedLog& log, Time lifted, Time put_down, double w
   constexpr Duration kCarrying = std::chrono::seconds{1};
   const Duration later = lifted + kCarrying - put_down;
   const Time end = time_after_way(log, put_down, way_m);
-  RecordedLog result{.name = log.name, .map = log.map, .events = {}, .truth = {}};
+  RecordedLog result;
+  result.name = log.name;
+  result.map_file = log.map_file;
+  result.map = log.map;
   std::optional<OdometrySample> at_lift;
   std::optional<OdometrySample> at_put_down;
   for (const LogEvent& event : log.events) {

@@ -17,6 +17,7 @@ using LogEvent = std::variant<OdometrySample, LaserScan>;
 /// A real robot's log with a map of the place, and where another program says the robot was.
 struct RecordedLog {
   std::string name;
+  std::filesystem::path map_file;
   OccupancyGrid map;
   std::vector<LogEvent> events;  ///< in the log's order
   std::vector<TimedPose> truth;  ///< by time; empty where nobody knows
@@ -29,6 +30,9 @@ struct RecordedLog {
 ///
 /// Of fr079 only scans 1, 3, 5, ...: the map was drawn from the others.
 [[nodiscard]] RecordedLog load_log(const std::string& name, const std::filesystem::path& data_folder);
+
+/// The logs of a Pioneer 3-DX with a short-range laser: "ist_17jun_2" and others, on their makers' map, without truth.
+[[nodiscard]] RecordedLog load_pioneer3dx_log(const std::string& name, const std::filesystem::path& data_folder);
 
 [[nodiscard]] Time time_of(const LogEvent& event);
 

@@ -7,6 +7,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "bench/localization/map_fit.hpp"
+#include "bench/localization/mrpt_peer.hpp"
 #include "bench/localization/simulated_nees.hpp"
 #include "bench/localization/trials.hpp"
 #include "services/common/config.hpp"
@@ -67,6 +69,56 @@ std::string tracking_row(const RecordedLog& log, LocalizationConfig config, cons
               times_ms[times_ms.size() * 95 / 100], hash.c_str());
 }
 
+/// Rows of both localizers side by side, on the same scans and the same map.
+std::string peer_rows(const RecordedLog& log, const LocalizationConfig& config) {
+  const auto row = [&](const std::string& who, const std::vector<EstimatedPose>& poses, double update_ms,
+                       const std::string& hash) {
+    const TrajectoryErrors errors = errors_of(poses, log.truth, 0.0, {});
+    return line("| %s | %s | %zu | %.3f / %.2f | %.2f | %.4f | %.2f | %s |\n", log.name.c_str(), who.c_str(),
+                errors.compared, errors.rmse_m, errors.rmse_deg, errors.max_m, errors.lost_share, update_ms,
+                hash.c_str());
+  };
+  LocalizationConfig started = config;
+  const Pose2 first = log.truth.front().map_from_base;
+  started.start = {first.x, first.y, first.heading};
+  std::vector<EstimatedPose> ours;
+  double update_ms = 0.0;
+  const std::vector<RunStep> steps = run_log(log, {.config = started});
+  for (const RunStep& step : steps) {
+    ours.push_back({{step.result.time, step.result.map_from_base}, step.result.covariance, step.result.status});
+    update_ms += step.update_ms / static_cast<double>(steps.size());
+  }
+  std::string rows = row("Tandem", ours, update_ms, hash_of(config));
+  for (const std::size_t particles : {std::size_t{500}, std::size_t{2000}}) {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("tandem_mrpt_" + log.name + "_" + std::to_string(particles));
+    const PeerRun peer = run_mrpt(log, particles, folder);
+    std::filesystem::remove_all(folder);
+    std::vector<EstimatedPose> theirs;
+    for (const TimedPose& pose : peer.poses) theirs.push_back({pose, Covariance3::Identity(), LocalizationStatus::Ok});
+    rows += row("MRPT pf-localization, N = " + std::to_string(particles), theirs, peer.update_ms, "-");
+  }
+  return rows;
+}
+
+/// Logs of a robot of which nobody knows where it was, started anywhere.
+std::string untold_rows(const LocalizationConfig& config, const CampaignOptions& options) {
+  std::string rows;
+  for (const char* name : {"ist_17jun_2", "ist_17jun_1", "ist_22jun_1", "ist_22jun_pm_2"}) {
+    const RecordedLog log = load_pioneer3dx_log(name, options.data_folder);
+    LocalizationConfig anywhere = config;
+    anywhere.start_globally = true;
+    const std::vector<RunStep> steps = run_log(log, {.config = anywhere});
+    const MapFit fit = map_fit_of(log, steps);
+    std::vector<TimedPose> way;
+    for (const RunStep& step : steps) way.push_back({step.result.time, step.result.map_from_base});
+    write_file_atomically(options.output / (log.name + ".svg"), trajectory_picture(log.map, way, {}));
+    rows += line("| %s | %zu | %zu | %.3f | %.1f | %.3f | %.3f | %.2f | %s |\n", name, fit.scans, fit.poses,
+                 fit.ok_share, fit.first_ok_s, fit.near_wall, fit.near_wall_ok, fit.update_ms, hash_of(config).c_str());
+  }
+  return rows;
+}
+
 std::string trial_rows(const std::string& log, const std::string& what, const std::vector<Trial>& trials) {
   std::string rows;
   for (const Trial& trial : trials) {
@@ -119,7 +171,9 @@ std::string simulated_rows(const LocalizationConfig& config, int drives) {
 void run_campaign(const CampaignOptions& options) {
   std::filesystem::create_directories(options.output);
   const LocalizationConfig config;
+  const bool beside_mrpt = has_mrpt();
   std::string tracking;
+  std::string peers;
   std::string summaries;
   std::string trials;
   for (const char* name : {"intel", "fr079"}) {
@@ -131,6 +185,7 @@ void run_campaign(const CampaignOptions& options) {
       less.window_scans = scans;
       tracking += tracking_row(log, less, what, options);
     }
+    if (beside_mrpt) peers += peer_rows(log, config);
     const auto global = global_trials(log, config, options.starts, kTrialWayM);
     summaries += trial_summary(name, "global start", global, kTrialWayM);
     trials += trial_rows(name, "global start", global);
@@ -138,6 +193,8 @@ void run_campaign(const CampaignOptions& options) {
     summaries += trial_summary(name, "kidnapped", kidnapped, 10.0);
     trials += trial_rows(name, "kidnapped", kidnapped);
   }
+  std::fprintf(stderr, "pioneer3dx\n");
+  const std::string untold = untold_rows(config, options);
   std::fprintf(stderr, "simulation\n");
   const std::string simulated = simulated_rows(config, options.drives);
 
@@ -149,7 +206,13 @@ void run_campaign(const CampaignOptions& options) {
       "ablation of the Ceres stage.\n\n"
       "| log | stage | scans | RMSE m / deg | largest m | lost | NEES | status wrong | update ms | parameters |\n"
       "|---|---|---|---|---|---|---|---|---|---|\n" +
-      tracking +
+      tracking + "\n## Beside MRPT\n\n" +
+      (beside_mrpt ? "The same scans, odometry, maps and starts through `pf-localization` (how: "
+                     "bench/localization/README.md). CPU time per update is that of its whole process.\n\n"
+                     "| log | localizer | scans | RMSE m / deg | largest m | lost | update ms | parameters |\n"
+                     "|---|---|---|---|---|---|---|---|\n" +
+                         peers
+                   : std::string{"Not run: `pf-localization` is not installed (bench/localization/README.md).\n"}) +
       "\n![intel](intel.svg)\n![fr079](fr079.svg)\n\n## Finding itself\n\nGlobal starts: segments of 35 m without a "
       "start "
       "pose; found: right (0.5 m, 10 degrees) and ok to the end. Kidnapped: the log goes on elsewhere while the wheels "
@@ -161,6 +224,11 @@ void run_campaign(const CampaignOptions& options) {
       "last "
       "status | slowest ms |\n|---|---|---|---|---|---|---|---|---|---|\n" +
       trials +
+      "\n## Without a known truth\n\nA Pioneer 3-DX with a short-range laser, on the map that its makers drew; started "
+      "anywhere. Near a wall: share of beams that end within 0.2 m of an occupied cell.\n\n"
+      "| log | scans | poses | ok | first ok s | near a wall | ... while ok | update ms | parameters |\n"
+      "|---|---|---|---|---|---|---|---|---|\n" +
+      untold +
       "\n## Covariance\n\nSimulated drives with exact truth; scans are cast against walls at any angle, the map is "
       "drawn "
       "in cells of 5 cm, 3 % of beams end at unmapped things, the wheels err half as much as the parameters say. "

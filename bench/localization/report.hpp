@@ -13,8 +13,9 @@ struct CampaignOptions {
   int drives = 16;               ///< simulated drives per kind
 };
 
-/// Measures tracking, ablation, global localization, kidnapping and covariance with the default parameters, and writes
-/// the report. Says on standard error what it is at.
+/// Measures tracking, ablation, global localization, kidnapping, logs without truth and covariance with the default
+/// parameters, and MRPT's localizer beside it where that is installed, and writes the report. Says on standard error
+/// what it is at.
 void run_campaign(const CampaignOptions& options);
 
 }  // namespace tandem::bench

@@ -123,10 +123,9 @@ LaserScan scan_of(const Walls& walls, const Pose2& map_from_base, Time time, con
 RecordedLog simulated_drive(std::uint64_t seed, const DriveOptions& options) {
   Rng rng{seed};
   const Walls walls = options.corridor ? corridor(rng) : hall(rng);
-  RecordedLog log{.name = options.corridor ? "corridor" : "hall",
-                  .map = drawn(walls, options.corridor ? 41.0 : 9.0, options.resolution_m),
-                  .events = {},
-                  .truth = {}};
+  RecordedLog log;
+  log.name = options.corridor ? "corridor" : "hall";
+  log.map = drawn(walls, options.corridor ? 41.0 : 9.0, options.resolution_m);
   Pose2 map_from_base = start_in(walls, options.corridor, rng);
   Pose2 odom_from_base;
   Time time{from_seconds(1.0)};

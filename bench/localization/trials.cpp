@@ -20,17 +20,21 @@ const char* name_of(LocalizationStatus status) {
 Trial judged(const RecordedLog& log, const std::vector<RunStep>& steps, Time from) {
   Trial trial;
   trial.start_s = to_seconds(from.time_since_epoch());
+  // Where nothing is said before, nothing is claimed.
+  const bool was_silent = steps.empty() || steps.front().result.time >= from;
   for (const RunStep& step : steps) {
     if (step.result.time < from) continue;
     const auto truth = pose_at(log.truth, step.result.time);
     if (!truth) continue;
     ++trial.scans;
-    trial.slowest_ms = std::max(trial.slowest_ms, step.update_ms);
+    trial.slowest_ms = std::max(trial.slowest_ms, step.longest_ms);
     const bool ok = step.result.status == LocalizationStatus::Ok;
     const bool right = is_right(step.result.map_from_base, *truth);
     const double way_m = way_between_m(log, from, step.result.time);
     if (ok && trial.settled_m < 0.0) trial.settled_m = way_m;
-    if (!ok && trial.flagged_s < 0.0) trial.flagged_s = to_seconds(step.result.time - from);
+    if (!ok && trial.flagged_s < 0.0) {
+      trial.flagged_s = was_silent && trial.scans == 1 ? 0.0 : to_seconds(step.result.time - from);
+    }
     if (ok && !right) ++trial.wrong_ok;
     if (!right) trial.right_m = -1.0;
     if (ok && right && trial.right_m < 0.0) trial.right_m = way_m;

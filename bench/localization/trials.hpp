@@ -17,7 +17,7 @@ struct Trial {
   int scans = 0;
   double final_m = 0.0;  ///< error of the last pose
   double final_deg = 0.0;
-  double slowest_ms = 0.0;  ///< the longest update
+  double slowest_ms = 0.0;  ///< the longest that nothing was published
   std::string final_status;
 };
 

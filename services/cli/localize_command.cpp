@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <span>
 
 #include "services/cli/command.hpp"
 #include "services/cli/offline_localization.hpp"
@@ -75,6 +76,7 @@ std::string hash_of(LocalizationConfig config) {
   config.scans = plain.scans;
   config.start = plain.start;
   config.start_globally = plain.start_globally;
+  config.last_pose_file = plain.last_pose_file;
   return sha256_hex(write_config(config)).substr(0, 16);
 }
 
@@ -92,6 +94,7 @@ nlohmann::ordered_json report_of(const LocalizeOptions& options, const Truth& tr
       errors_of(result.poses, truth.poses, options.truth_offset_s, parse_windows(options.exclude));
   std::vector<TimedPose> poses;
   for (const EstimatedPose& estimate : result.poses) poses.push_back(estimate.pose);
+  if (options.kidnap_s) poses.resize(result.before_kidnapping);  // those after it may be of the same time again
   const RelationErrors relations =
       relation_errors_of(sorted_by_time(std::move(poses)), truth.relations, options.truth_offset_s);
   const auto not_ok = std::count_if(result.poses.begin(), result.poses.end(), [](const EstimatedPose& estimate) {
@@ -119,8 +122,28 @@ nlohmann::ordered_json report_of(const LocalizeOptions& options, const Truth& tr
       {"status_wrong_share", errors.status_wrong_share},
       {"status_not_ok", not_ok},
       {"faults", faults},
+      {"map_scale", result.map_scale},
       {"config_hash", hash_of(config)},
       {"seed", config.seed}};
+}
+
+nlohmann::ordered_json kidnapping_report(const LocalizeOptions& options, const Truth& truth,
+                                         const Kidnapping& kidnapping, const OfflineResult& result) {
+  const auto after = std::span{result.poses}.subspan(result.before_kidnapping);
+  std::vector<double> way_m{result.way_m.begin() + static_cast<std::ptrdiff_t>(result.before_kidnapping),
+                            result.way_m.end()};
+  const double driven_before_m = result.before_kidnapping > 0 ? result.way_m[result.before_kidnapping - 1] : 0.0;
+  for (double& way : way_m) way -= driven_before_m;
+  const Recovery recovery = recovery_of(after, way_m, kidnapping.put_down_at, truth.poses, options.truth_offset_s);
+  const auto number = [](const std::optional<double>& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  };
+  return {{"lifted_at_s", to_seconds(kidnapping.lifted_at.time_since_epoch())},
+          {"put_down_at_s", to_seconds(kidnapping.put_down_at.time_since_epoch())},
+          {"flagged_s", number(recovery.flagged_s)},
+          {"recovered_s", number(recovery.recovered_s)},
+          {"recovered_m", number(recovery.recovered_m)},
+          {"ok_but_wrong", recovery.ok_but_wrong}};
 }
 
 void print_text(const nlohmann::ordered_json& report) {
@@ -136,6 +159,16 @@ void print_text(const nlohmann::ordered_json& report) {
     std::printf("relations %.3f m, deviation %.3f m\n", report["relations_m"]["mean"].get<double>(),
                 report["relations_m"]["std"].get<double>());
   }
+  for (const auto& [fault, count] : report["faults"].items()) {
+    std::printf("bad input: %s, %llu times\n", fault.c_str(), count.get<unsigned long long>());
+  }
+  if (!report.contains("kidnap")) return;
+  if (const auto& kidnap = report["kidnap"]; kidnap["recovered_s"].is_null()) {
+    std::puts("kidnapped: not recovered");
+  } else {
+    std::printf("kidnapped: recovered after %.1f s and %.1f m\n", kidnap["recovered_s"].get<double>(),
+                kidnap["recovered_m"].get<double>());
+  }
 }
 
 void run(const LocalizeOptions& options) {
@@ -147,9 +180,20 @@ void run(const LocalizeOptions& options) {
   const OccupancyGrid map = load_map(options.map);
   mcap::Reader recording{mcap::file_source(options.file), options.file};
 
+  std::optional<Kidnapping> kidnapping;
+  if (options.kidnap_s) {
+    kidnapping = kidnapping_at(recording, Time{from_seconds(*options.kidnap_s)}, truth.poses,
+                               static_cast<std::uint64_t>(config.seed));
+    if (!kidnapping) {
+      throw std::runtime_error{options.file +
+                               ": nowhere to carry the robot to: --kidnap wants a time at which there "
+                               "are scans, and 20 s of scans at least 10 s and 3 m away from it"};
+    }
+  }
+
   Progress progress{"localize"};
   const OfflineResult result =
-      localize_offline(recording, map, {.config = config, .kidnap_s = options.kidnap_s}, [&progress](double share) {
+      localize_offline(recording, map, {.config = config, .kidnapping = kidnapping}, [&progress](double share) {
         progress.show(share);
         return !stop_requested();
       });
@@ -169,7 +213,8 @@ void run(const LocalizeOptions& options) {
     for (const EstimatedPose& estimate : result.poses) poses.push_back(estimate.pose);
     write_file_atomically(options.picture, trajectory_picture(map, poses, {.truth = truth.poses}));
   }
-  const auto report = report_of(options, truth, config, result);
+  auto report = report_of(options, truth, config, result);
+  if (kidnapping) report["kidnap"] = kidnapping_report(options, truth, *kidnapping, result);
   if (options.json) {
     std::puts(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   } else {
@@ -196,7 +241,8 @@ void add_localize_command(CLI::App& tandem) {
   command->add_option("--exclude", options->exclude, "Windows A:B,... [s] left out of rmse_kept_m")->delimiter(',');
   command->add_option("--scans", options->scans, "all, or odd: scans 1, 3, 5, ... alone")
       ->check(CLI::IsMember({"all", "odd"}));
-  command->add_option("--kidnap", options->kidnap_s, "From this time on [s] believe to be somewhere else");
+  command->add_option("--kidnap", options->kidnap_s,
+                      "Carry the robot, at this time [s], to another place of the recording");
   command->add_option("--seed", options->seed, "Of all random draws");
   command->add_option("--trajectory", options->trajectory, "Write the poses here: lines of t x y theta");
   command->add_option("--svg", options->picture, "Draw the map with the estimated and the true way here");

@@ -1,6 +1,8 @@
 #include "services/cli/offline_localization.hpp"
 
+#include <chrono>
 #include <set>
+#include <utility>
 
 #include "idl/topics.hpp"
 #include "services/bus/codec.hpp"
@@ -11,6 +13,8 @@
 namespace tandem::cli {
 namespace {
 
+constexpr Duration kCarrying = std::chrono::seconds{1};
+
 template <class PubSubType>
 std::optional<typename PubSubType::type> decoded(const mcap::Message& message) {
   return bus::decode<PubSubType>({message.data.begin(), message.data.end()});
@@ -19,8 +23,15 @@ std::optional<typename PubSubType::type> decoded(const mcap::Message& message) {
 /// One run through a recording.
 class Run {
  public:
-  Run(const OccupancyGrid& map, const OfflineOptions& options)
-      : map_(map), options_(options), localizer_(map, options.config), rng_(kidnap_seed(options.config)) {}
+  Run(const OccupancyGrid& map, const OfflineOptions& options) : localizer_(map, options.config) {}
+
+  /// The robot is put down elsewhere: what comes now happened there, and its wheels did not turn meanwhile.
+  void carry(const Kidnapping& kidnapping) {
+    result.before_kidnapping = result.poses.size();
+    later_ = kidnapping.lifted_at + kCarrying - kidnapping.put_down_at;
+    lifted_ = last_odometry_;
+    put_down_.reset();
+  }
 
   void add(const std::string& topic, const mcap::Message& message) {
     if (topic == topic::kOdometry.name) {
@@ -37,16 +48,30 @@ class Run {
   OfflineResult result;
 
  private:
-  static std::uint64_t kidnap_seed(const LocalizationConfig& config) {
-    return static_cast<std::uint64_t>(config.seed) + 1'000'000;
-  }
   /// The first robot of a recording is the one to localize.
   bool is_ours(const std::string& robot) {
     if (!robot_) robot_ = robot;
     return robot == *robot_;
   }
   void add_odometry(const msg::Odometry& message) {
-    if (const auto sample = from_message(message)) localizer_.add_odometry(*sample);
+    auto sample = from_message(message);
+    if (!sample) {
+      localizer_.add_fault(InputFault::OdometryNotFinite);
+      return;
+    }
+    sample->time += later_;
+    if (lifted_) {
+      if (!put_down_) put_down_ = sample;
+      sample->odom_from_base = lifted_->odom_from_base * inverse(put_down_->odom_from_base) * sample->odom_from_base;
+      sample->epoch = lifted_->epoch;
+    }
+    if (last_odometry_ && last_odometry_->epoch == sample->epoch) {
+      way_m_ += (sample->odom_from_base.position() - last_odometry_->odom_from_base.position()).norm();
+    }
+    last_odometry_ = sample;
+    const double before = thread_cpu_ms();
+    localizer_.add_odometry(*sample);
+    spent_ms_ += thread_cpu_ms() - before;
   }
   /// An event is repeated until its receipt comes; it counts once.
   void add_hint(const msg::PoseHint& message) {
@@ -54,30 +79,33 @@ class Run {
     if (const auto hint = from_message(message)) localizer_.add_hint(*hint);
   }
   void add_scan(const msg::LaserScan& message) {
-    const auto scan = from_message(message);
-    if (!scan) return;
-    kidnap(scan->time);
-    const double before = thread_cpu_ms();
-    const auto pose = localizer_.add_scan(*scan);
+    auto scan = from_message(message);
+    if (!scan) localizer_.add_fault(InputFault::ScanNotFinite);
+    if (scan && lifted_ && !put_down_) return;  // nothing is known yet of the wheels there
+    std::optional<LocalizationResult> pose;
+    if (scan) {
+      scan->time += later_;
+      const double before = thread_cpu_ms();
+      pose = localizer_.add_scan(*scan);
+      spent_ms_ += thread_cpu_ms() - before;
+    }
     result.faults = localizer_.faults();
+    if (localizer_.setup_fault() == InputFault::MapScaleWrong) result.map_scale = localizer_.map_scale();
     if (!pose) return;
-    result.update_ms.push_back(thread_cpu_ms() - before);
-    result.poses.push_back({{pose->time, pose->map_from_base}, pose->covariance, pose->status});
-  }
-  void kidnap(Time time) {
-    if (!options_.kidnap_s || kidnapped_ || time < Time{from_seconds(*options_.kidnap_s)}) return;
-    kidnapped_ = true;
-    const Particles anywhere = particles_everywhere(map_, 1, rng_);
-    if (!anywhere.empty()) localizer_.add_hint({time, anywhere.front().map_from_base, true, 0.1});
+    result.update_ms.push_back(std::exchange(spent_ms_, 0.0));
+    result.way_m.push_back(way_m_);
+    result.poses.push_back({{pose->time - later_, pose->map_from_base}, pose->covariance, pose->status});
   }
 
-  const OccupancyGrid& map_;
-  const OfflineOptions& options_;
   Localizer localizer_;
-  Rng rng_;
   std::optional<std::string> robot_;
   std::set<std::string> hints_;
-  bool kidnapped_ = false;
+  std::optional<OdometrySample> last_odometry_;
+  double way_m_ = 0.0;
+  double spent_ms_ = 0.0;                   ///< since the last pose
+  Duration later_{};                        ///< what is added to the recording's times, after a kidnapping
+  std::optional<OdometrySample> lifted_;    ///< where the wheels were then ...
+  std::optional<OdometrySample> put_down_;  ///< ... and where they were in the recording at the other place
 };
 
 }  // namespace
@@ -85,7 +113,13 @@ class Run {
 OfflineResult localize_offline(mcap::Reader& recording, const OccupancyGrid& map, const OfflineOptions& options,
                                const std::function<bool(double)>& keep_going) {
   Run run{map, options};
+  bool is_carried = false;
   for (std::size_t i = 0; i < recording.message_count(); ++i) {
+    if (options.kidnapping && i == options.kidnapping->lifted && !is_carried) {
+      is_carried = true;
+      run.carry(*options.kidnapping);
+      i = options.kidnapping->put_down;
+    }
     const double share = static_cast<double>(i) / static_cast<double>(recording.message_count());
     if (i % 100 == 0 && !keep_going(share)) break;
     const auto message = recording.message_at(i);

@@ -1,12 +1,28 @@
 #include "services/localization/localization_service.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <chrono>
+#include <filesystem>
+#include <variant>
+
+#include "services/common/file_io.hpp"
+#include "services/localization/core/last_pose.hpp"
 #include "services/localization/localization_messages.hpp"
 #include "services/mapping/map_messages.hpp"
 
 namespace tandem {
 namespace {
+
+constexpr std::size_t kLatencies = 200;
+constexpr Duration kSecond = std::chrono::seconds{1};
+constexpr Duration kNewTime =
+    std::chrono::seconds{2};  ///< A stamp that goes back further is of a time that began anew.
+
+double milliseconds(Duration duration) {
+  return 1e3 * to_seconds(duration);
+}
 
 const char* name_of(LocalizationStatus status) {
   switch (status) {
@@ -34,7 +50,8 @@ LocalizationService::LocalizationService(const LocalizationConfig& config, const
       scans_(bus.in_order(topic::kScan)),
       hints_(bus, topic::kPoseHint, "localization"),
       poses_(bus.writer(topic::kRobotPose)),
-      health_(bus, site, "localization") {}
+      health_(bus, site, "localization"),
+      latency_(kLatencies) {}
 
 void LocalizationService::step() {
   take_map();
@@ -45,6 +62,11 @@ void LocalizationService::step() {
     const auto scans = scans_.take();
     const auto odometry = odometry_.take();
     if (localizer_) feed(odometry, scans);
+  }
+  if (localizer_ && !lockstep_) {
+    if (const auto now = localizer_->predicted_now(); now && now->time != published_) publish(*now);
+    keep_last_pose();
+    report_memory();
   }
   report();
 }
@@ -59,14 +81,23 @@ void LocalizationService::take_map() {
   }
   if (localizer_ && *grid == map_) return;  // the map server was started again
   map_ = std::move(*grid);
+  map_sha256_ = received->message.sha256();
+  begin_anew();
+  spdlog::info("map taken: id={} sha256={}", received->message.map_id(), map_sha256_);
+  if (!lockstep_ && !config_.last_pose_file.empty()) recall(map_sha256_);
+}
+
+void LocalizationService::begin_anew() {
   localizer_.emplace(map_, config_);
-  spdlog::info("map taken: id={} sha256={}", received->message.map_id(), received->message.sha256());
+  known_faults_ = {};
+  logged_memory_ = MemoryOutcome::None;
 }
 
 void LocalizationService::forget_after_restart() {
   if (clock_.epoch() == epoch_) return;
   epoch_ = clock_.epoch();
-  if (localizer_) localizer_.emplace(map_, config_);
+  published_ = Time{Duration::min()};
+  if (localizer_) begin_anew();
   spdlog::info("time began anew: epoch={}", epoch_);
 }
 
@@ -89,7 +120,11 @@ void LocalizationService::feed(const std::vector<Odometry>& odometry, const std:
   auto next = odometry.begin();
   const auto add_next = [&] {
     if (next->message.robot() == robot_) {
-      if (const auto sample = from_message(next->message)) localizer_->add_odometry(*sample);
+      if (const auto sample = from_message(next->message)) {
+        localizer_->add_odometry(*sample);
+      } else {
+        localizer_->add_fault(InputFault::OdometryNotFinite);
+      }
     }
     ++next;
   };
@@ -102,11 +137,12 @@ void LocalizationService::feed(const std::vector<Odometry>& odometry, const std:
 
 void LocalizationService::localize(const msg::LaserScan& message) {
   const auto scan = from_message(message);
+  if (!scan) localizer_->add_fault(InputFault::ScanNotFinite);
   const auto result = scan ? localizer_->add_scan(*scan) : std::nullopt;
-  if (result) {
-    poses_.write(to_message(*result, robot_));
-  } else if (lockstep_) {
-    poses_.write(no_pose(from_stamp_ns(message.stamp_ns()), robot_));
+  if (lockstep_) {
+    poses_.write(result ? to_message(*result, robot_) : no_pose(from_stamp_ns(message.stamp_ns()), robot_));
+  } else if (result) {
+    publish(*result);
   }
   if (result && result->status != logged_) {
     spdlog::info("localization is {}: agreement={:.2f} x={:.2f} y={:.2f}", name_of(result->status), result->agreement,
@@ -115,15 +151,102 @@ void LocalizationService::localize(const msg::LaserScan& message) {
   }
 }
 
+void LocalizationService::publish(const LocalizationResult& result) {
+  if (result.time < published_ && result.time + kNewTime > published_) return;
+  poses_.write(to_message(result, robot_));
+  published_ = result.time;
+  latency_.add(clock_.now() - result.time);
+}
+
+void LocalizationService::recall(const std::string& map_sha256) {
+  const std::string& file = config_.last_pose_file;
+  if (!std::filesystem::exists(file)) {
+    spdlog::info("no last pose is kept yet: file={}", file);
+    return;
+  }
+  try {
+    const MemoryRule rule{map_sha256, clock_.now(), from_seconds(config_.last_pose_fresh_s),
+                          from_seconds(config_.last_pose_max_age_s)};
+    const auto memory = memory_of(read_file(file), rule);
+    if (const auto* why = std::get_if<std::string>(&memory)) {
+      spdlog::warn("last pose not used: {}: file={}", *why, file);
+      return;
+    }
+    const auto& use = std::get<MemoryUse>(memory);
+    localizer_->restore(use.pose, use.memory);
+    logged_memory_ = MemoryOutcome::Awaited;
+    spdlog::info("last pose waits for the first scan to agree: x={:.2f} y={:.2f} heading={:.2f}",
+                 use.pose.map_from_base.x, use.pose.map_from_base.y, use.pose.map_from_base.heading);
+  } catch (const FileError& error) {
+    spdlog::warn("last pose not used: {}", error.what());
+  }
+}
+
+void LocalizationService::report_memory() {
+  const MemoryOutcome outcome = localizer_->memory_outcome();
+  if (outcome == logged_memory_) return;
+  logged_memory_ = outcome;
+  if (outcome == MemoryOutcome::Agreed) spdlog::info("last pose taken: the scan agrees");
+  if (outcome == MemoryOutcome::Refused) spdlog::warn("last pose not used: the scan does not agree with it");
+}
+
+void LocalizationService::keep_last_pose() {
+  const auto& last = localizer_->last_result();
+  if (config_.last_pose_file.empty() || !last || last->result.status != LocalizationStatus::Ok) return;
+  const Time now = clock_.now();
+  if (now < next_keeping_ && next_keeping_ - now <= kSecond) return;
+  next_keeping_ = now + kSecond;
+  try {
+    write_file_atomically(config_.last_pose_file,
+                          to_text({last->result.time,
+                                   map_sha256_,
+                                   {last->result.map_from_base, last->odometry.odom_from_base, last->odometry.epoch}}));
+  } catch (const FileError& error) {
+    spdlog::warn("last pose is not kept any more: {}", error.what());
+    config_.last_pose_file.clear();
+  }
+}
+
+std::string LocalizationService::fault_text() {
+  const auto fault = localizer_->setup_fault();
+  if (fault == InputFault::LaserMirrored) {
+    return "laser_mirrored: scans fit the map clearly better with left and right exchanged; is the laser upside down?";
+  }
+  if (fault == InputFault::MapScaleWrong) {
+    return fmt::format("map_scale_wrong: scans fit the map clearly better if its lengths are {:.2f} times too long",
+                       localizer_->map_scale());
+  }
+  return new_faults_.empty() ? "" : "bad input in the last second: " + new_faults_;
+}
+
+std::string LocalizationService::latency_text() const {
+  if (latency_.empty()) return "";
+  return fmt::format("poses are sent {:.0f} ms after their stamp (median; 95 %: {:.0f} ms)",
+                     milliseconds(latency_.quantile(0.5)), milliseconds(latency_.quantile(0.95)));
+}
+
 void LocalizationService::report() {
   if (!localizer_) {
     health_.step(msg::HEALTH_STARTING, "waiting for the map: is tandem-map-server running on this host?");
+    return;
+  }
+  const Time now = clock_.now();
+  if (now >= next_second_ || next_second_ - now > kSecond) {
+    next_second_ = now + kSecond;
+    const std::string before = std::exchange(new_faults_, localizer_->faults().since(known_faults_).text());
+    known_faults_ = localizer_->faults();
+    if (before.empty() && !new_faults_.empty()) spdlog::warn("bad input: {}", new_faults_);
+    latency_shown_ = latency_text();
+  }
+  if (const std::string fault = fault_text(); !fault.empty()) {
+    health_.step(msg::HEALTH_DEGRADED, fault);
   } else if (!localizer_->is_started()) {
     health_.step(msg::HEALTH_STARTING, "waiting for a start pose: place the robot on the phone's map");
   } else if (logged_ == LocalizationStatus::Lost) {
     health_.step(msg::HEALTH_DEGRADED, "lost: scans do not fit the map");
   } else {
-    health_.step(msg::HEALTH_OK);
+    const std::string faults = known_faults_.text();
+    health_.step(msg::HEALTH_OK, latency_shown_ + (faults.empty() ? "" : "; bad input so far: " + faults));
   }
 }
 

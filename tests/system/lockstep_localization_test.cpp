@@ -1,18 +1,16 @@
 // The live service, fed in lockstep, finds the very poses that `tandem localize` finds offline.
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #include "services/common/file_io.hpp"
 #include "services/recorder/core/carmen_log.hpp"
 #include "tests/support/domain_lease.hpp"
+#include "tests/support/process.hpp"
 #include "tests/support/test_data.hpp"
 
 namespace tandem::test {
@@ -21,32 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string kBin = TANDEM_BINARY_DIR "/bin/";
-
-/// A program that runs until this object goes.
-class Process {
- public:
-  explicit Process(const std::vector<std::string>& words) {
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));  // NOLINT
-    arguments.push_back(nullptr);
-    id_ = fork();
-    if (id_ == 0) {
-      execv(arguments[0], arguments.data());
-      _exit(127);
-    }
-  }
-  ~Process() {
-    kill(id_, SIGTERM);
-    int status = 0;
-    waitpid(id_, &status, 0);
-    EXPECT_EQ(WEXITSTATUS(status), 0);
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-
- private:
-  pid_t id_ = -1;
-};
 
 int run(const std::string& command) {
   return WEXITSTATUS(std::system(command.c_str()));

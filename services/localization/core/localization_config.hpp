@@ -16,15 +16,16 @@ struct LocalizationConfig {
   double start_deviation_m = 0.1;  ///< Standard deviation of the start pose; its heading: the same in rad.
   bool start_globally = false;     ///< Without a start pose: look for the robot on the whole map.
 
-  double forward_per_m = 0.12;      ///< Odometry: deviation of the distance per metre driven.
-  double sideways_per_m = 0.05;     ///< ... of the drift sideways per metre driven.
-  double turn_per_rad = 0.12;       ///< ... of the turn per radian turned [rad].
-  double turn_per_m = 0.06;         ///< ... of the turn per metre driven [rad].
-  double drift_m = 0.01;            ///< ... of the position at each update, however small the motion.
-  double drift_rad = 0.005;         ///< ... of the heading at each update.
-  double odometry_max_age_s = 0.2;  ///< A scan without odometry this recent is not used.
-  double distrust_factor = 4.0;     ///< Odometry noise is multiplied by this after it was caught wrong ...
-  double distrust_s = 4.0;          ///< ... for this long.
+  double forward_per_m = 0.12;        ///< Odometry: deviation of the distance per metre driven.
+  double sideways_per_m = 0.05;       ///< ... of the drift sideways per metre driven.
+  double turn_per_rad = 0.12;         ///< ... of the turn per radian turned [rad].
+  double turn_per_m = 0.06;           ///< ... of the turn per metre driven [rad].
+  double drift_m = 0.01;              ///< ... of the position at each update, however small the motion.
+  double drift_rad = 0.005;           ///< ... of the heading at each update.
+  double odometry_max_age_s = 0.2;    ///< A scan without odometry this recent is not used.
+  double prediction_max_age_s = 0.5;  ///< The pose goes on by odometry for this long after the last scan.
+  double distrust_factor = 4.0;       ///< Odometry noise is multiplied by this after it was caught wrong ...
+  double distrust_s = 4.0;            ///< ... for this long.
 
   double range_limit_m = 25.0;      ///< Longer beams are not used.
   std::int64_t filter_beams = 60;   ///< Beams that weigh the particles.
@@ -56,10 +57,15 @@ struct LocalizationConfig {
   double doubt_every_m = 2.0;   ///< ... each time the robot drove this far ...
   double doubt_score = 0.08;    ///< ... and one that explains the last metres better by this is believed possible.
 
-  double panorama_way_m = 3.5;         ///< The scans of this way, together, are looked for on the whole map.
-  double place_weight_per_score = 40;  ///< Log weight that a place gains by a score of 1 (all ends on walls).
-  double place_certain_weight = 0.9;   ///< A place with this share of all weight ...
-  double place_certain_m = 1.0;        ///< ... over this way is believed.
+  double panorama_way_m = 3.5;            ///< The scans of this way, together, are looked for on the whole map.
+  double search_boxes_per_s = 1'000'000;  ///< ... by scoring so many boxes of poses for each second that passes.
+  double place_weight_per_score = 40;     ///< Log weight that a place gains by a score of 1 (all ends on walls).
+  double place_certain_weight = 0.9;      ///< A place with this share of all weight ...
+  double place_certain_m = 1.0;           ///< ... over this way is believed.
+
+  std::string last_pose_file;        ///< Keeps the pose over a restart; empty: it is not kept.
+  double last_pose_max_age_s = 600;  ///< A kept pose older than this is not used.
+  double last_pose_fresh_s = 5.0;    ///< One at most this old is believed as soon as the first scan agrees.
 
   double search_below = 0.85;        ///< Share of fitting beams below which the surroundings are searched.
   double search_window_m = 1.2;      ///< Half the side of the square searched when the scan does not fit ...
@@ -82,6 +88,7 @@ struct LocalizationConfig {
     visitor.field("drift_m", drift_m, share);
     visitor.field("drift_rad", drift_rad, share);
     visitor.field("odometry_max_age_s", odometry_max_age_s, Range{0.0, 2.0});
+    visitor.field("prediction_max_age_s", prediction_max_age_s, Range{0.0, 5.0});
     visitor.field("distrust_factor", distrust_factor, Range{1.0, 20.0});
     visitor.field("distrust_s", distrust_s, Range{0.0, 60.0});
     visitor.field("range_limit_m", range_limit_m, Range{1.0, 200.0});
@@ -111,9 +118,13 @@ struct LocalizationConfig {
     visitor.field("doubt_every_m", doubt_every_m, Range{0.1, 100.0});
     visitor.field("doubt_score", doubt_score, share);
     visitor.field("panorama_way_m", panorama_way_m, Range{0.1, 50.0});
+    visitor.field("search_boxes_per_s", search_boxes_per_s, Range{1'000, 1e9});
     visitor.field("place_weight_per_score", place_weight_per_score, Range{1.0, 1000.0});
     visitor.field("place_certain_weight", place_certain_weight, Range{0.5, 1.0});
     visitor.field("place_certain_m", place_certain_m, Range{0.0, 100.0});
+    visitor.field("last_pose_file", last_pose_file);
+    visitor.field("last_pose_max_age_s", last_pose_max_age_s, Range{0.0, 1e6});
+    visitor.field("last_pose_fresh_s", last_pose_fresh_s, Range{0.0, 60.0});
     visitor.field("search_below", search_below, share);
     visitor.field("search_window_m", search_window_m, Range{0.05, 20.0});
     visitor.field("search_window_rad", search_window_rad, Range{0.01, 3.2});

@@ -6,59 +6,26 @@
 #include <utility>
 
 #include "services/localization/core/beams.hpp"
+#include "services/localization/core/part_options.hpp"
 #include "services/localization/core/scan_agreement.hpp"
 #include "services/localization/core/scan_search.hpp"
 
 namespace tandem {
 namespace {
 
-constexpr double kFieldReachM = 2.0;       ///< Distances beyond this say nothing about where a wall is.
-constexpr std::size_t kMinReturns = 20;    ///< Fewer beams do not tell one place from another.
-constexpr double kClearlyBetter = 0.05;    ///< Gain of agreement for which a searched pose is taken.
-constexpr double kSearchedShare = 0.5;     ///< Share of the particles put at a searched pose.
-constexpr double kSlipM = 0.3;             ///< A correction this large is motion that the wheels missed.
-constexpr double kNewScanShare = 0.2;      ///< Weight of the newest scan in the mean agreement.
-constexpr double kHintDeviationRad = 0.3;  ///< How well a person tells a heading.
-constexpr double kAnyHeadingRad = 4.0;     ///< Wrapped, as good as uniform.
-constexpr double kStuckM = 0.3;            ///< A laser cannot see the very same over this way.
-constexpr double kFastestMps = 5.0;        ///< No robot of ours drives faster, ...
-constexpr double kFastestRadps = 8.0;      ///< ... or turns faster.
-constexpr double kShortestS = 0.1;         ///< Stamps of samples close together are not exact.
-constexpr double kNever = -1e9;            ///< [m] on the way
-constexpr double kOneHypothesis = 0.9;     ///< Weight of a group that leaves no doubt.
-
-PlaceFinderOptions finder_options(const LocalizationConfig& config) {
-  PlaceFinderOptions options;
-  options.panorama.way_m = config.panorama_way_m;
-  options.weight_per_score = config.place_weight_per_score;
-  options.certain_weight = config.place_certain_weight;
-  options.certain_after_m = config.place_certain_m;
-  return options;
-}
-
-WindowOptions window_options(const LocalizationConfig& config, double resolution_m) {
-  return {.scans = static_cast<std::size_t>(config.window_scans),
-          .older_beams = static_cast<std::size_t>(config.filter_beams),
-          .loss_m = config.refine_loss_m,
-          .beam_weight = config.refine_beam_weight,
-          .map_deviation_m = config.map_deviation_cells * resolution_m,
-          .prior_deviation_m = config.prior_deviation_m,
-          .prior_deviation_rad = config.prior_deviation_rad};
-}
-
-MotionNoise noise_of(const LocalizationConfig& config) {
-  return {config.forward_per_m, config.sideways_per_m, config.turn_per_rad,
-          config.turn_per_m,    config.drift_m,        config.drift_rad};
-}
-
-/// Puts `share` of the particles at the end of the set around `pose`; the weights stay normalised.
-void gather(Particles& particles, double share, const Pose2& pose, double deviation_m, double deviation_rad, Rng& rng) {
-  const auto count = static_cast<std::size_t>(share * static_cast<double>(particles.size()));
-  if (count == 0) return;
-  const Particles gathered = particles_around(pose, deviation_m, deviation_rad, count, rng);
-  const std::size_t first = particles.size() - count;
-  for (std::size_t i = 0; i < count; ++i) particles[first + i].map_from_base = gathered[i].map_from_base;
-}
+constexpr double kFieldReachM = 2.0;     ///< Distances beyond this say nothing about where a wall is.
+constexpr std::size_t kMinReturns = 20;  ///< Fewer beams do not tell one place from another.
+constexpr double kClearlyBetter = 0.05;  ///< Gain of agreement for which a searched pose is taken.
+constexpr double kSearchedShare = 0.5;   ///< Share of the particles put at a searched pose.
+constexpr double kSlipM = 0.3;           ///< A correction this large is motion that the wheels missed.
+constexpr double kFastestMps = 5.0;      ///< No robot of ours drives faster, ...
+constexpr double kFastestRadps = 8.0;    ///< ... or turns faster.
+constexpr double kShortestS = 0.1;       ///< Stamps of samples close together are not exact.
+constexpr double kNewTimeS = 2.0;        ///< Scans older than the last one by more than this, ...
+constexpr int kScansOfNewTime = 5;       ///< ... so many in a row, are of a time that began anew.
+constexpr int kNoEpoch = -1;             ///< Of no odometry.
+constexpr double kFirstWorkS = 0.1;      ///< What the first input is worth to a search, ...
+constexpr double kLongestWorkS = 0.5;    ///< ... and at most any other.
 
 }  // namespace
 
@@ -68,46 +35,34 @@ Localizer::Localizer(OccupancyGrid map, const LocalizationConfig& config)
       distances_(map_, kFieldReachM),
       likelihoods_(map_, distances_, BeamModel{config.hit_deviation_m, config.random_share}),
       finder_(map_, likelihoods_, finder_options(config)),
+      setup_(setup_options(config)),
       window_(distances_, window_options(config, map_.resolution_m())),
       rng_(static_cast<std::uint64_t>(config.seed)),
       odometry_(from_seconds(config.odometry_max_age_s)),
       monitor_(config.agreement_ok, from_seconds(config.lost_after_s)) {}
 
 void Localizer::add_odometry(const OdometrySample& sample) {
-  odometry_.add(sample);
+  switch (odometry_.add(sample)) {
+    case OdometryOrder::InOrder:
+      break;
+    case OdometryOrder::Late:
+      faults_.add(InputFault::OdometryOutOfOrder);
+      break;
+    case OdometryOrder::WentBack:
+      faults_.add(InputFault::TimeWentBack);
+      break;
+  }
+  search(search_budget(sample.time));
+}
+
+std::size_t Localizer::search_budget(Time time) {
+  const double passed_s = worked_at_ ? to_seconds(time - *worked_at_) : kFirstWorkS;
+  worked_at_ = time;
+  return static_cast<std::size_t>(config_.search_boxes_per_s * std::clamp(passed_s, 0.0, kLongestWorkS));
 }
 
 void Localizer::add_hint(const PoseHint& hint) {
   hint_ = hint;
-}
-
-void Localizer::apply_hint() {
-  if (!hint_) return;
-  // Between the hint and the last scan the robot has moved on.
-  Pose2 map_from_base = hint_->map_from_base;
-  const auto then = odometry_.at(hint_->time);
-  if (then && last_ && then->epoch == last_->epoch) {
-    map_from_base = map_from_base * (inverse(then->odom_from_base) * last_->odom_from_base);
-  }
-  const double deviation_rad = hint_->heading_known ? kHintDeviationRad : kAnyHeadingRad;
-  particles_ = particles_around(map_from_base, hint_->standard_deviation_m, deviation_rad,
-                                static_cast<std::size_t>(config_.particles_max), rng_);
-  last_fit_.reset();
-  window_.restart();
-  monitor_.reset();
-  trusted_ = true;
-  mean_agreement_ = 1.0;
-  probation_from_m_ = kNever;
-  hint_.reset();
-}
-
-void Localizer::start_at(const OdometrySample& odometry) {
-  if (!particles_.empty()) return;
-  last_ = odometry;
-  if (config_.start.size() == 3) {
-    particles_ = particles_around({config_.start[0], config_.start[1], config_.start[2]}, config_.start_deviation_m,
-                                  config_.start_deviation_m, static_cast<std::size_t>(config_.particles_max), rng_);
-  }
 }
 
 std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odometry) {
@@ -133,34 +88,29 @@ std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odome
   return {motion, deviation};
 }
 
-Localizer::Fit Localizer::tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation) {
+PoseFit Localizer::tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation) {
   RefinedPose pose{group.map_from_base, group.covariance};
   if (config_.window_scans > 0) pose = window_.add(group.map_from_base, endpoints_, motion, deviation);
   return {pose, agreement_at(pose.map_from_base)};
 }
 
-Localizer::Fit Localizer::fit_at(const Pose2& map_from_base) const {
-  const RefinementOptions options{.loss_m = config_.refine_loss_m,
-                                  .hit_deviation_m = config_.hit_deviation_m,
-                                  .beam_weight = config_.beam_weight,
-                                  .prior_deviation_m = config_.prior_deviation_m,
-                                  .prior_deviation_rad = config_.prior_deviation_rad};
-  const RefinedPose refined = refine_pose(distances_, endpoints_, map_from_base, options);
+PoseFit Localizer::fit_at(const Pose2& map_from_base) const {
+  const RefinedPose refined = refine_pose(distances_, endpoints_, map_from_base, refinement_options(config_));
   return {refined, agreement_at(refined.map_from_base)};
 }
 
 double Localizer::agreement_at(const Pose2& map_from_base) const {
-  return agreement_of(map_, distances_, map_from_base, laser_in_base_, endpoints_, config_.fit_distance_m);
+  return agreement_of(map_, distances_, map_from_base, base_from_laser_.position(), endpoints_, config_.fit_distance_m);
 }
 
-Localizer::Fit Localizer::corrected(Fit fit, Time time) {
+PoseFit Localizer::corrected(PoseFit fit, Time time) {
   slipped_ = false;
   if (fit.agreement >= config_.search_below || !trusted_) return fit;  // lost: the finder looks everywhere
   const SearchWindow window{.half_side_m = config_.search_window_m,
                             .half_turn_rad = config_.search_window_rad,
                             .prior_weight = config_.search_prior_weight};
   const Pose2 found = best_pose_in_window(likelihoods_, few_endpoints_, fit.pose.map_from_base, window);
-  const Fit searched = fit_at(found);
+  const PoseFit searched = fit_at(found);
   if (searched.agreement < fit.agreement + kClearlyBetter) return fit;
   slipped_ = (searched.pose.map_from_base.position() - fit.pose.map_from_base.position()).norm() > kSlipM;
   window_.restart();
@@ -170,71 +120,7 @@ Localizer::Fit Localizer::corrected(Fit fit, Time time) {
   return searched;
 }
 
-void Localizer::remember(const OdometrySample& odometry, bool broken) {
-  if (broken) finder_.forget();
-  finder_.add(odometry, endpoints_);
-}
-
-bool Localizer::is_in_doubt() {
-  if (!trusted_) return true;
-  if (mean_agreement_ >= config_.doubt_below || finder_.way_m() - doubted_at_m_ < config_.doubt_every_m) return false;
-  doubted_at_m_ = finder_.way_m();
-  return true;
-}
-
-Localizer::Fit Localizer::settled_at(const Pose2& place) const {
-  const SearchWindow window{.half_side_m = 0.4, .half_turn_rad = 0.1, .prior_weight = 0.1};
-  return fit_at(best_pose_in_window(likelihoods_, few_endpoints_, place, window));
-}
-
-void Localizer::believe(const Fit& fit) {
-  particles_ =
-      particles_around(fit.pose.map_from_base, 0.1, 0.05, static_cast<std::size_t>(config_.particles_max), rng_);
-  window_.restart();
-  monitor_.reset();
-  status_ = LocalizationStatus::Ok;
-  trusted_ = true;
-  mean_agreement_ = 1.0;
-  probation_from_m_ = kNever;
-}
-
-Localizer::Fit Localizer::judged(Fit fit, const OdometrySample& odometry) {
-  const bool was_ok = status_ == LocalizationStatus::Ok;
-  status_ = monitor_.add(odometry.time, fit.agreement);
-  mean_agreement_ += kNewScanShare * (fit.agreement - mean_agreement_);
-  if (status_ == LocalizationStatus::Lost) trusted_ = false;
-  remember(odometry, was_ok && (slipped_ || status_ != LocalizationStatus::Ok));
-  if (slipped_ || status_ != LocalizationStatus::Ok) probation_from_m_ = finder_.way_m();
-  if (!is_in_doubt()) return fit;
-
-  const Finding& finding = finder_.find();
-  if (finding.places.empty()) return fit;
-  const Pose2& place = finding.places.front().map_from_base;
-  const bool is_elsewhere = !PlaceFinder::is_same(place, fit.pose.map_from_base);
-  if (trusted_) {
-    const double gain = finding.score - finder_.score_at(fit.pose.map_from_base);
-    if (is_elsewhere && gain > config_.doubt_score) trusted_ = false;
-  } else if (finding.certain) {
-    const Fit there = is_elsewhere ? settled_at(place) : fit;
-    if (there.agreement < config_.agreement_ok) return fit;
-    believe(there);
-    return there;
-  }
-  return fit;
-}
-
-std::optional<LocalizationResult> Localizer::sought(const OdometrySample& odometry) {
-  last_ = odometry;
-  remember(odometry, false);
-  const Finding& finding = finder_.find();
-  if (finding.places.empty()) return std::nullopt;
-  const Fit fit = settled_at(finding.places.front().map_from_base);
-  status_ = LocalizationStatus::Uncertain;
-  if (finding.certain && fit.agreement >= config_.agreement_ok) believe(fit);
-  return result_of(fit, {finding.places.begin() + 1, finding.places.end()});
-}
-
-void Localizer::resample(const Fit& fit) {
+void Localizer::resample(const PoseFit& fit) {
   if (effective_share(particles_) < config_.resample_below) {
     const auto wanted = static_cast<std::int64_t>(kld_count(particles_, config_.kld_error, config_.kld_quantile));
     const std::int64_t most = std::max(config_.particles_max, static_cast<std::int64_t>(particles_.size()));
@@ -251,17 +137,19 @@ std::nullopt_t Localizer::refused(InputFault fault) {
   return std::nullopt;
 }
 
-bool Localizer::is_stuck(const LaserScan& scan, const OdometrySample& odometry) {
-  // Bytes, not numbers: NaN is not equal to itself.
-  const auto bytes = [](const std::vector<float>& ranges) { return std::as_bytes(std::span{ranges}); };
-  const auto now = bytes(scan.ranges_m);
-  const auto before = bytes(seen_ranges_m_);
-  if (!std::equal(now.begin(), now.end(), before.begin(), before.end())) {
-    seen_ranges_m_ = scan.ranges_m;
-    seen_at_ = odometry.odom_from_base;
+bool Localizer::is_late(Time scan_time) {
+  if (!last_ || scan_time >= last_->time) {
+    late_scans_ = 0;
     return false;
   }
-  return (odometry.odom_from_base.position() - seen_at_.position()).norm() > kStuckM;
+  if (last_->time - scan_time < from_seconds(kNewTimeS) || ++late_scans_ < kScansOfNewTime) return true;
+  // The clock was set back: what is known of the past stays, but its times say nothing.
+  late_scans_ = 0;
+  last_->time = scan_time;
+  last_->epoch = kNoEpoch;
+  distrust_until_ = Time{Duration::min()};
+  monitor_.reset();
+  return false;
 }
 
 std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
@@ -270,42 +158,34 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   if (thinned_out) return std::nullopt;  // as if it had never been there
   const auto odometry = odometry_.at(scan.time);
   if (!odometry) return refused(InputFault::ScanWithoutOdometry);
-  if (last_ && scan.time < last_->time) return refused(InputFault::ScanOutOfOrder);
-  start_at(*odometry);
-  apply_hint();
-  if (!is_started()) return std::nullopt;
-  laser_in_base_ = scan.base_from_laser.position();
+  if (is_late(scan.time)) return refused(InputFault::ScanOutOfOrder);
+  if (const auto fault = scan_check_.fault_of(scan, odometry->odom_from_base)) return refused(*fault);
+  budget_ = search_budget(scan.time);
+  base_from_laser_ = scan.base_from_laser;
   endpoints_ = selected_endpoints(scan, static_cast<std::size_t>(config_.refine_beams), config_.range_limit_m,
                                   odometry->velocity);
   if (endpoints_.size() < kMinReturns) return refused(InputFault::ScanWithTooFewReturns);
-  if (is_stuck(scan, *odometry)) return refused(InputFault::ScanStuck);
   few_endpoints_ = thinned(endpoints_, static_cast<std::size_t>(config_.filter_beams));
 
+  if (particles_.empty()) last_ = *odometry;
+  apply_hint();
+  if (!is_started()) return std::nullopt;
+  if (particles_.empty()) start_at(*odometry);
   if (particles_.empty()) return sought(*odometry);
-  if (auto resting = result_at_rest(*odometry)) return resting;
+  if (const auto resting = fit_at_rest(*odometry)) return claim(*odometry, *resting, {});
 
   const auto [motion, deviation] = predict(*odometry);
+  compare_with_mirrored();
   weigh(particles_, likelihoods_, few_endpoints_, config_.beam_weight);
   const auto groups = clusters(particles_, 3);
-  const Fit fit = judged(corrected(tracked(groups.front(), motion, deviation), scan.time), *odometry);
+  const PoseFit fit = judged(corrected(tracked(groups.front(), motion, deviation), scan.time), *odometry);
   resample(fit);
   last_fit_ = fit;
-  return result_of(fit, other_places(fit, groups));
+  const auto others = trusted_ ? other_groups(groups) : other_places(finder_.finding(), fit.pose.map_from_base);
+  return claim(*odometry, fit, others);
 }
 
-std::vector<PoseHypothesis> Localizer::other_places(const Fit& fit, const std::vector<Cluster>& groups) const {
-  std::vector<PoseHypothesis> others;
-  if (!trusted_) {
-    for (const PoseHypothesis& place : finder_.last_finding().places) {
-      if (!PlaceFinder::is_same(place.map_from_base, fit.pose.map_from_base)) others.push_back(place);
-    }
-  } else if (groups.front().weight < kOneHypothesis) {
-    for (std::size_t i = 1; i < groups.size(); ++i) others.push_back({groups[i].map_from_base, groups[i].weight});
-  }
-  return others;
-}
-
-std::optional<LocalizationResult> Localizer::result_at_rest(const OdometrySample& odometry) {
+std::optional<PoseFit> Localizer::fit_at_rest(const OdometrySample& odometry) const {
   if (!last_fit_ || status_ != LocalizationStatus::Ok || !trusted_ || last_->epoch != odometry.epoch) {
     return std::nullopt;
   }
@@ -313,33 +193,30 @@ std::optional<LocalizationResult> Localizer::result_at_rest(const OdometrySample
   if (motion.position().norm() >= config_.min_motion_m || std::abs(motion.heading) >= config_.min_turn_rad) {
     return std::nullopt;
   }
-  Fit fit = *last_fit_;
+  PoseFit fit = *last_fit_;
   fit.pose.map_from_base = fit.pose.map_from_base * motion;
   fit.agreement = agreement_at(fit.pose.map_from_base);
   if (fit.agreement < config_.agreement_ok) return std::nullopt;
-  LocalizationResult result = result_of(fit, {});
-  result.time = odometry.time;
-  return result;
+  return fit;
 }
 
-LocalizationResult Localizer::result_of(const Fit& fit, const std::vector<PoseHypothesis>& others) const {
-  LocalizationResult result{.time = last_->time,
-                            .odometry_epoch = last_->epoch,
-                            .map_from_base = fit.pose.map_from_base,
-                            .covariance = fit.pose.covariance,
-                            .agreement = fit.agreement,
-                            .status = status_,
-                            .hypotheses = {{fit.pose.map_from_base, 1.0}}};
-  for (const PoseHypothesis& other : others) {
-    result.hypotheses.front().weight -= other.weight;
-    result.hypotheses.push_back(other);
-  }
+LocalizationResult Localizer::claim(const OdometrySample& odometry, const PoseFit& fit,
+                                    const std::vector<PoseHypothesis>& others) {
   const bool on_probation = finder_.way_m() - probation_from_m_ < config_.place_certain_m;
-  const bool doubtful = !others.empty() || !trusted_ || on_probation;
-  if (doubtful && result.status == LocalizationStatus::Ok) result.status = LocalizationStatus::Uncertain;
-  std::stable_sort(result.hypotheses.begin(), result.hypotheses.end(),
-                   [](const PoseHypothesis& a, const PoseHypothesis& b) { return a.weight > b.weight; });
-  return result;
+  const bool doubtful = !trusted_ || on_probation;
+  const bool claims_too_much = doubtful && status_ == LocalizationStatus::Ok;
+  last_result_ = {result_of(odometry, fit, claims_too_much ? LocalizationStatus::Uncertain : status_, others),
+                  odometry};
+  return last_result_->result;
+}
+
+std::optional<LocalizationResult> Localizer::predicted_now() const {
+  const auto now = odometry_.newest();
+  if (!now || !last_result_) return std::nullopt;
+  MotionNoise noise = noise_of(config_);
+  noise.drift_m = 0.0;  // that of an update, however short the time to it
+  noise.drift_rad = 0.0;
+  return predicted(*last_result_, *now, noise, from_seconds(config_.prediction_max_age_s));
 }
 
 }  // namespace tandem

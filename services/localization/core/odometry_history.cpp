@@ -22,8 +22,15 @@ Pose2 motion_of(const Twist2& velocity, Duration duration) {
   return {way.x(), way.y(), wrap_to_pi(turn)};
 }
 
-void OdometryHistory::add(const OdometrySample& sample) {
+OdometryOrder OdometryHistory::add(const OdometrySample& sample) {
+  OdometryOrder order = OdometryOrder::InOrder;
   if (!samples_.empty() && samples_.back().epoch != sample.epoch) samples_.clear();
+  if (!samples_.empty()) {
+    const Duration ahead = sample.time - samples_.back().time;
+    if (ahead < Duration::zero()) order = ahead < -kKept ? OdometryOrder::WentBack : OdometryOrder::Late;
+    // One wrong stamp must not stay the newest for ever.
+    if (ahead > kKept || ahead < -kKept) samples_.clear();
+  }
   auto place = std::lower_bound(samples_.begin(), samples_.end(), sample.time, is_earlier);
   if (place != samples_.end() && place->time == sample.time) {
     *place = sample;
@@ -31,6 +38,12 @@ void OdometryHistory::add(const OdometrySample& sample) {
     samples_.insert(place, sample);
   }
   while (samples_.back().time - samples_.front().time > kKept && samples_.size() > 2) samples_.pop_front();
+  return order;
+}
+
+std::optional<OdometrySample> OdometryHistory::newest() const {
+  if (samples_.empty()) return std::nullopt;
+  return samples_.back();
 }
 
 std::optional<OdometrySample> OdometryHistory::at(Time time) const {

@@ -16,18 +16,28 @@ struct OdometrySample {
   int epoch = 0;  ///< Poses of two epochs do not compare.
 };
 
+/// How a sample relates to those before.
+enum class OdometryOrder {
+  InOrder,
+  Late,      ///< older than the newest, and put in its place
+  WentBack,  ///< older by more than is kept: time began anew, and the past is forgotten
+};
+
 /// The last few seconds of odometry, to ask for the pose at a scan's time.
 class OdometryHistory {
  public:
   explicit OdometryHistory(Duration max_extrapolation) : max_extrapolation_(max_extrapolation) {}
 
-  /// Takes samples in any order, the newest of equal times; a new epoch forgets the one before.
-  void add(const OdometrySample& sample);
+  /// Takes samples in any order, the newest of equal times; a new epoch forgets the one before, and so does a time
+  /// more than 5 s from that of the newest sample.
+  OdometryOrder add(const OdometrySample& sample);
 
   /// The pose at `time`: between two samples interpolated, after the last one carried on with its velocity.
   ///
-  /// None before the first sample, or further after the last than the limit. A gap is interpolated however long.
+  /// None before the first sample, or further after the last than the limit. A gap of up to 5 s is interpolated.
   [[nodiscard]] std::optional<OdometrySample> at(Time time) const;
+  /// The one with the latest time.
+  [[nodiscard]] std::optional<OdometrySample> newest() const;
 
  private:
   Duration max_extrapolation_;

@@ -131,6 +131,14 @@ Particles resampled(const Particles& particles, std::size_t count, Rng& rng) {
   return drawn;
 }
 
+void gather(Particles& particles, double share, const Pose2& pose, double deviation_m, double deviation_rad, Rng& rng) {
+  const auto count = static_cast<std::size_t>(share * static_cast<double>(particles.size()));
+  if (count == 0) return;
+  const Particles gathered = particles_around(pose, deviation_m, deviation_rad, count, rng);
+  const std::size_t first = particles.size() - count;
+  for (std::size_t i = 0; i < count; ++i) particles[first + i].map_from_base = gathered[i].map_from_base;
+}
+
 std::size_t kld_count(const Particles& particles, double error, double quantile) {
   std::vector<std::int64_t> bins;
   bins.reserve(particles.size());

@@ -41,6 +41,9 @@ void normalise(Particles& particles);
 /// `count` equally heavy particles drawn by weight with one random number (low variance).
 [[nodiscard]] Particles resampled(const Particles& particles, std::size_t count, Rng& rng);
 
+/// Puts `share` of the particles at the end of the set around `pose`; the weights stay normalised.
+void gather(Particles& particles, double share, const Pose2& pose, double deviation_m, double deviation_rad, Rng& rng);
+
 /// How many particles keep the error of the set below `error` with the certainty of `quantile` (KLD sampling, Fox
 /// 2003), by the number of 0.5 m x 0.5 m x 15 degree bins that hold weight.
 [[nodiscard]] std::size_t kld_count(const Particles& particles, double error, double quantile);

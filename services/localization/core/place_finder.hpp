@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,44 +40,62 @@ struct PlaceFinderOptions {
 
 /// Finds the robot anywhere on the map while it drives: what it saw on the last metres is compared with every place.
 ///
-/// A turn counts as way too, for the robot sees something new.
+/// A turn counts as way too, for the robot sees something new. A search takes as many pieces of work as it needs, while
+/// the robot drives on; what it finds is carried along by odometry.
 class PlaceFinder {
  public:
   PlaceFinder(const OccupancyGrid& map, const LikelihoodField& field, const PlaceFinderOptions& options);
 
-  /// Takes a scan with the odometry at its time.
+  /// Takes a scan with the odometry at its time, and carries the places along to it.
   void add(const OdometrySample& odometry, std::span<const Eigen::Vector2d> endpoints_in_base);
   /// What was seen so far was seen elsewhere: the robot was carried away, or its wheels slipped.
   void forget();
 
-  /// Where the robot may be at the last scan added. Searches when the robot has moved on, else carries the last places
-  /// along by odometry.
-  [[nodiscard]] const Finding& find();
+  /// Asks where the robot is, to be called with each scan while that is wanted: begins a search unless one is running
+  /// or the last one is recent. After a scan at which nobody asked, what was found is forgotten and the search ended.
+  void seek();
+  /// Goes on with the search that is running, if one is, by about `boxes` boxes of poses.
+  void advance(std::size_t boxes);
+  [[nodiscard]] bool is_searching() const { return search_.has_value(); }
 
-  /// How well a pose at the last scan explains what the last search compared: to be held against Finding::score.
+  /// Where the robot may be at the last scan added, by the last search that ended.
+  [[nodiscard]] const Finding& finding() const { return finding_; }
+  /// How well a pose at the last scan explains what that search compared: to be held against Finding::score.
   [[nodiscard]] double score_at(const Pose2& map_from_base) const;
 
   /// Driven so far [m], with turns.
   [[nodiscard]] double way_m() const { return way_m_; }
-  [[nodiscard]] const Finding& last_finding() const { return finding_; }
+
+  /// The map as it is searched.
+  [[nodiscard]] const GlobalSearch& map() const { return map_; }
 
   /// May two poses be one place?
   [[nodiscard]] static bool is_same(const Pose2& a, const Pose2& b);
 
  private:
-  void search();
+  /// What is compared with the map, and where it was seen.
+  struct Question {
+    std::vector<Eigen::Vector2d> points_in_base;
+    OdometrySample at;
+    double way_m = 0.0;
+  };
+  struct Search {
+    Question question;
+    GlobalSearchRun run;
+  };
+
+  void adopt(const Search& search);
+  void judge();
 
   PlaceFinderOptions options_;
-  GlobalSearch search_;
+  GlobalSearch map_;
   Panorama panorama_;
-  std::vector<Eigen::Vector2d> points_;  ///< compared, from the base at the last search
-  bool is_new_ = false;                  ///< has a scan come since the last search?
-  OdometrySample last_;                  ///< at the last scan
-  Pose2 found_at_;                       ///< odom_from_base to which the places belong
-  Pose2 searched_at_;                    ///< odom_from_base of the last search
+  OdometrySample last_;  ///< at the last scan
   double way_m_ = 0.0;
-  double searched_at_m_ = 0.0;
-  double leading_since_m_ = 0.0;
+  bool asked_ = false;            ///< since the last scan
+  std::optional<Search> search_;  ///< the one that is running
+  Question answered_;             ///< to which the finding belongs
+  double leading_since_m_ = 0.0;  ///< way_m when the first place was first found
   Time leading_since_{};
   Finding finding_;
 };

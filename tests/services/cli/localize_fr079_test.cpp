@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <span>
+
 #include "services/cli/offline_localization.hpp"
 #include "services/mapping/core/map_file.hpp"
 #include "services/recorder/carmen_import.hpp"
@@ -23,9 +26,14 @@ class Recording {
   Recording(const Recording&) = delete;
   Recording& operator=(const Recording&) = delete;
 
-  [[nodiscard]] OfflineResult localized(const OccupancyGrid& map, const LocalizationConfig& config) const {
+  [[nodiscard]] OfflineResult localized(const OccupancyGrid& map, const LocalizationConfig& config,
+                                        const std::optional<Kidnapping>& kidnapping = {}) const {
     mcap::Reader reader{mcap::file_source(file_), file_};
-    return localize_offline(reader, map, {.config = config, .kidnap_s = {}}, [](double) { return true; });
+    return localize_offline(reader, map, {.config = config, .kidnapping = kidnapping}, [](double) { return true; });
+  }
+  [[nodiscard]] std::optional<Kidnapping> kidnapping(double seconds, std::span<const TimedPose> truth) const {
+    mcap::Reader reader{mcap::file_source(file_), file_};
+    return kidnapping_at(reader, Time{from_seconds(seconds)}, truth, 1);
   }
 
  private:
@@ -51,6 +59,36 @@ TEST(LocalizeFr079, FollowsTheRobotThroughWheelsThatMissMetres) {
   EXPECT_LT(errors.rmse_kept_m, 0.08);
   EXPECT_LT(errors.rmse_m, 0.10);
   EXPECT_LE(errors.lost_share, 0.005);
+}
+
+TEST(LocalizeFr079, FindsTheRobotAgainThatWasCarriedToAnotherPlace) {
+  TANDEM_NEEDS_DATA("fr079/fr079.odomscan.txt.gz");
+  const auto data = test::data_folder();
+  const OccupancyGrid map = load_map(data / "maps/fr079_even.yaml");
+  const std::string truth_file = (data / "fr079/fr079.reference.txt").string();
+  const auto truth = parse_trajectory(carmen::read_log_file(truth_file), truth_file);
+  const Pose2& first = truth.front().map_from_base;
+  LocalizationConfig config;
+  config.scans = "odd";
+  config.start = {first.x, first.y, first.heading};
+  const Recording recording{"fr079.odomscan.txt.gz"};
+  const auto kidnapping = recording.kidnapping(60.0, truth);
+  ASSERT_TRUE(kidnapping);
+  const Pose2 from = pose_at(truth, kidnapping->lifted_at).value();
+  const Pose2 to = pose_at(truth, kidnapping->put_down_at).value();
+  EXPECT_GE((to.position() - from.position()).norm(), 3.0);
+  EXPECT_EQ(recording.kidnapping(5000.0, truth), std::nullopt);  // long after the end
+
+  const OfflineResult result = recording.localized(map, config, kidnapping);
+
+  const auto after = std::span{result.poses}.subspan(result.before_kidnapping);
+  const auto way_m = std::span{result.way_m}.subspan(result.before_kidnapping);
+  const Recovery recovery = recovery_of(after, way_m, kidnapping->put_down_at, truth, 0.0);
+  ASSERT_TRUE(recovery.flagged_s);
+  EXPECT_LE(*recovery.flagged_s, 2.0);
+  ASSERT_TRUE(recovery.recovered_m);
+  EXPECT_LE(*recovery.recovered_m - way_m.front(), 10.0);
+  EXPECT_EQ(recovery.ok_but_wrong, 0U);
 }
 
 }  // namespace

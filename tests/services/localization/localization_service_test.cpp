@@ -2,9 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
+#include "services/common/file_io.hpp"
 #include "services/localization/localization_messages.hpp"
 #include "services/mapping/map_messages.hpp"
 #include "tests/services/localization/room.hpp"
@@ -79,6 +86,157 @@ TEST(LocalizationMessages, CarryAResult) {
 TEST(LocalizationMessages, SayThatNoPoseIsKnown) {
   EXPECT_EQ(no_pose(Time{}, "robot7").status(), msg::LOCALIZATION_LOST);
   EXPECT_TRUE(no_pose(Time{}, "robot7").hypotheses().empty());
+}
+
+/// The service, in real time, and what the other services of its host send it.
+class Host {
+ public:
+  explicit Host(const LocalizationConfig& config) : site_(site(domain_[0])), service_(config, site_, bus_, clock_) {}
+
+  static SiteConfig site(int domain) {
+    SiteConfig site;
+    site.robot = "robot7";
+    site.host_domain = domain;
+    return site;
+  }
+  bool step_until(const std::function<bool()>& condition) {
+    return bus::wait_until(other_, from_seconds(20.0), [&] {
+      service_.step();
+      for (auto& received : poses_.take()) arrived_.push_back(received.message);
+      if (const auto health = health_.take_new()) reason_ = health->message.reason();
+      return condition();
+    });
+  }
+  bool connect() {
+    const bool connected = step_until([&] {
+      return poses_.matched_writers() == 1 && odometry_.raw().matched_readers() == 1 &&
+             scans_.raw().matched_readers() == 1 && health_.matched_writers() == 1;
+    });
+    maps_.write(to_message(room_, "room"));
+    return connected && step_until([&] { return reason_.find("waiting for the map") == std::string::npos; });
+  }
+  void send_odometry(Time time, const Pose2& odom_from_base = {}) {
+    msg::Odometry sample;
+    sample.robot("robot7");
+    sample.stamp_ns(to_stamp_ns(time));
+    sample.odom_from_base().x(odom_from_base.x);
+    odometry_.write(sample);
+  }
+  void send_scan(Time time, const Pose2& truth) { scans_.write(message_of(test::scan_from(room_, truth, time))); }
+  /// The pose of this stamp, once it has come.
+  std::optional<msg::RobotPose> pose_at(Time time) {
+    const auto is_it = [&](const msg::RobotPose& pose) { return pose.stamp_ns() == to_stamp_ns(time); };
+    const auto found = [&] { return std::find_if(arrived_.begin(), arrived_.end(), is_it); };
+    if (!step_until([&] { return found() != arrived_.end(); })) return std::nullopt;
+    return *found();
+  }
+
+  const test::DomainLease domain_{1};
+  SiteConfig site_;
+  bus::Bus bus_{bus::host_domain(site_, "localization", bus::Pace::RealTime)};
+  bus::Bus other_{bus::host_domain(site_, "others", bus::Pace::RealTime)};
+  SteadyClock clock_;
+  OccupancyGrid room_ = test::uneven_room();
+  bus::Writer<msg::OccupancyGrid, msg::OccupancyGridPubSubType> maps_{other_.writer(topic::kMap)};
+  bus::Writer<msg::Odometry, msg::OdometryPubSubType> odometry_{other_.writer(topic::kOdometry)};
+  bus::Writer<msg::LaserScan, msg::LaserScanPubSubType> scans_{other_.writer(topic::kScan)};
+  bus::InOrder<msg::RobotPose, msg::RobotPosePubSubType> poses_{other_.in_order(topic::kRobotPose)};
+  bus::Latest<msg::ServiceHealth, msg::ServiceHealthPubSubType> health_{other_.latest(topic::kServiceHealth)};
+  std::vector<msg::RobotPose> arrived_;
+  std::string reason_ = "waiting for the map";
+  LocalizationService service_;
+};
+
+LocalizationConfig started_at(const Pose2& pose) {
+  LocalizationConfig config;
+  config.start = {pose.x, pose.y, pose.heading};
+  return config;
+}
+
+TEST(LocalizationService, SendsAPoseForEachOdometrySampleInTheOrderOfTheirStamps) {
+  const Pose2 truth{2.5, 1.2, 0.3};
+  Host host{started_at(truth)};
+  ASSERT_TRUE(host.connect());
+  const Time now = host.clock_.now();
+  const auto at = [&](int ms) { return now + std::chrono::milliseconds{ms}; };
+
+  host.send_odometry(at(0));
+  host.send_scan(at(0), truth);
+  ASSERT_TRUE(host.pose_at(at(0)));
+  host.send_odometry(at(100), {0.1, 0.0, 0.0});
+  const auto ahead = host.pose_at(at(100));
+  ASSERT_TRUE(ahead);
+  EXPECT_NEAR(ahead->map_from_base().x(), truth.x + 0.1 * std::cos(truth.heading), 0.05);
+
+  host.send_scan(at(50), truth * Pose2{0.05, 0.0, 0.0});  // the laser takes its time
+  host.send_odometry(at(200), {0.2, 0.0, 0.0});
+  ASSERT_TRUE(host.pose_at(at(200)));
+  host.send_odometry(at(900), {0.2, 0.0, 0.0});  // the laser is silent: nothing goes on without it
+  host.send_scan(at(900), truth * Pose2{0.2, 0.0, 0.0});
+  ASSERT_TRUE(host.pose_at(at(900)));
+  for (std::size_t i = 1; i < host.arrived_.size(); ++i) {
+    EXPECT_LE(host.arrived_[i - 1].stamp_ns(), host.arrived_[i].stamp_ns());
+  }
+  EXPECT_TRUE(host.step_until([&] { return host.reason_.find("after their stamp") != std::string::npos; }))
+      << host.reason_;
+}
+
+TEST(LocalizationService, StartsAgainWhereItWas) {
+  const Pose2 truth{2.5, 1.2, 0.3};
+  const std::string file = testing::TempDir() + "/tandem_last_pose_test.json";
+  std::filesystem::remove(file);
+  LocalizationConfig config = started_at(truth);
+  config.last_pose_file = file;
+  {
+    Host host{config};
+    ASSERT_TRUE(host.connect());
+    const Time now = host.clock_.now();
+    host.send_odometry(now);
+    host.send_scan(now, truth);
+    ASSERT_TRUE(host.pose_at(now));
+    ASSERT_TRUE(host.step_until([&] { return std::filesystem::exists(file); }));
+  }
+  config.start.clear();
+  {
+    Host host{config};
+    ASSERT_TRUE(host.connect());
+    const Time now = host.clock_.now();
+    host.send_odometry(now);
+    host.send_scan(now, truth);
+    const auto pose = host.pose_at(now);
+    ASSERT_TRUE(pose);
+    EXPECT_NEAR(pose->map_from_base().x(), truth.x, 0.1);
+    EXPECT_EQ(pose->status(), msg::LOCALIZATION_OK);
+  }
+  {
+    Host carried_away{config};
+    ASSERT_TRUE(carried_away.connect());
+    const Time now = carried_away.clock_.now();
+    carried_away.send_odometry(now);
+    carried_away.send_scan(now, {2.0, 2.6, 2.8});
+    EXPECT_TRUE(carried_away.step_until(
+        [&] { return carried_away.reason_.find("waiting for a start pose") != std::string::npos; }));
+    EXPECT_TRUE(carried_away.arrived_.empty());
+  }
+  write_file_atomically(file, "{\"format\": ");
+  Host corrupt{config};
+  ASSERT_TRUE(corrupt.connect());
+  EXPECT_EQ(corrupt.reason_, "waiting for a start pose: place the robot on the phone's map");
+  std::filesystem::remove(file);
+}
+
+TEST(LocalizationService, NamesBadInputInItsHealth) {
+  const Pose2 truth{2.5, 1.2, 0.3};
+  Host host{started_at(truth)};
+  ASSERT_TRUE(host.connect());
+  const Time now = host.clock_.now();
+  host.send_odometry(now);
+  msg::LaserScan wrong = message_of(test::scan_from(host.room_, truth, now));
+  wrong.angle_min_rad(std::nan(""));
+  host.scans_.write(wrong);
+
+  EXPECT_TRUE(host.step_until([&] { return host.reason_.find("scan_not_finite 1") != std::string::npos; }))
+      << host.reason_;
 }
 
 TEST(LocalizationService, StartsFromAHintAndFollowsScans) {

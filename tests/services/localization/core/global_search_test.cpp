@@ -87,6 +87,35 @@ TEST(GlobalSearch, FindsNothingBetterThanTheBestOfAllPoses) {
   EXPECT_NEAR(room.search.candidates(endpoints, options).front().score, best, 0.03);
 }
 
+TEST(GlobalSearch, DoesNoMoreAtATimeThanItIsAllowed) {
+  const Place room{test::uneven_room()};
+  const auto endpoints = room.seen_from({2.5, 1.2, 0.7});
+  const auto expected = room.search.candidates(endpoints, {});
+
+  GlobalSearchRun run{room.search, endpoints, {}};
+  std::size_t pieces = 0;
+  for (; !run.is_done(); ++pieces) run.advance(room.search, 50);
+
+  EXPECT_GT(pieces, 250U / 50U);  // 252 headings are begun with, at least
+  ASSERT_EQ(run.candidates().size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(run.candidates()[i].map_from_base, expected[i].map_from_base);
+    EXPECT_EQ(run.candidates()[i].score, expected[i].score);
+  }
+}
+
+TEST(GlobalSearch, FindsNothingBelowTheFloorItIsGiven) {
+  const Place room{test::uneven_room()};
+  const auto endpoints = room.seen_from({2.5, 1.2, 0.7});
+  GlobalSearchOptions options;
+  const double best = room.search.candidates(endpoints, options).front().score;
+
+  options.floor = best;
+  EXPECT_FALSE(room.search.candidates(endpoints, options).empty());
+  options.floor = best + 0.01;
+  EXPECT_TRUE(room.search.candidates(endpoints, options).empty());
+}
+
 TEST(GlobalSearch, TurnsWithTheMap) {
   const OccupancyGrid straight = test::uneven_room();
   const Pose2 turn{10.0, -4.0, 1.1};

@@ -23,5 +23,17 @@ TEST(InputFaults, EachHasANameOfItsOwn) {
   EXPECT_STREQ(kInputFaultNames[static_cast<std::size_t>(InputFault::OdometryJump)], "odometry_jump");
 }
 
+TEST(InputFaults, TellsWhatCameSince) {
+  InputFaults faults;
+  faults.add(InputFault::ScanStuck);
+  const InputFaults before = faults;
+  faults.add(InputFault::ScanStuck);
+  faults.add(InputFault::ScanStuck);
+  faults.add(InputFault::OdometryJump);
+
+  EXPECT_EQ(faults.since(before).text(), "scan_stuck 2, odometry_jump 1");
+  EXPECT_EQ(faults.since(faults).text(), "");
+}
+
 }  // namespace
 }  // namespace tandem

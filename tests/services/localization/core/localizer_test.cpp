@@ -12,7 +12,9 @@ namespace {
 /// A robot that drives a circle of 1 m in the uneven room, 0.05 m a step, with odometry that slips.
 class Drive {
  public:
-  explicit Drive(LocalizationConfig config) : map_(test::uneven_room()), localizer_(map_, config) {}
+  explicit Drive(const LocalizationConfig& config) : Drive(config, test::uneven_room()) {}
+  Drive(const LocalizationConfig& config, const OccupancyGrid& known_map)
+      : map_(test::uneven_room()), localizer_(known_map, config) {}
 
   std::optional<LocalizationResult> step(double wheels_factor = 1.0) {
     const Pose2 motion{0.05, 0.0, 0.05};
@@ -24,7 +26,9 @@ class Drive {
   std::optional<LocalizationResult> look() {
     time_ += from_seconds(0.1);
     localizer_.add_odometry({time_, odom_from_base_, {}, epoch_});
-    return localizer_.add_scan(test::scan_from(map_, map_from_base_, time_));
+    LaserScan scan = test::scan_from(map_, map_from_base_, time_);
+    if (mirrored_) std::reverse(scan.ranges_m.begin(), scan.ranges_m.end());
+    return localizer_.add_scan(scan);
   }
   [[nodiscard]] double error_m(const LocalizationResult& result) const {
     return (result.map_from_base.position() - map_from_base_.position()).norm();
@@ -36,6 +40,7 @@ class Drive {
   Pose2 odom_from_base_{};
   Time time_{};
   int epoch_ = 0;
+  bool mirrored_ = false;
 };
 
 LocalizationConfig started() {
@@ -162,8 +167,10 @@ TEST(Localizer, FindsItselfAnywhereAndSaysWhenItIsSure) {
   config.start_globally = true;
   Drive drive{config};
 
-  EXPECT_EQ(drive.step()->status, LocalizationStatus::Uncertain);
   std::optional<LocalizationResult> result;
+  for (int i = 0; i < 5 && !result; ++i) result = drive.step();  // the search takes more than one scan
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->status, LocalizationStatus::Uncertain);
   for (int i = 0; i < 40; ++i) {
     result = drive.step();
     ASSERT_TRUE(result);
@@ -274,6 +281,114 @@ TEST(Localizer, RestsWithTheRobot) {
 
   EXPECT_EQ(first->map_from_base, last->map_from_base);
   EXPECT_LT(first->time, last->time);
+}
+
+TEST(Localizer, NamesAMirroredLaserAndIsNeverOkWithIt) {
+  Drive drive{started()};
+  drive.mirrored_ = true;
+  for (int i = 0; i < 250; ++i) {
+    const auto result = drive.step();
+    ASSERT_TRUE(!result || i < 5 || result->status != LocalizationStatus::Ok || drive.error_m(*result) < 0.5)
+        << "step " << i;
+  }
+  EXPECT_EQ(drive.localizer_.setup_fault(), InputFault::LaserMirrored);
+  EXPECT_GT(drive.localizer_.faults().count(InputFault::LaserMirrored), 0U);
+}
+
+TEST(Localizer, NamesAMapOfTwiceTheScale) {
+  const OccupancyGrid room = test::uneven_room();
+  OccupancyGrid map{room.width(), room.height(), 2.0 * room.resolution_m(), room.map_from_grid()};
+  std::copy(room.cells().begin(), room.cells().end(), map.cells().begin());
+  LocalizationConfig config;
+  config.start = {5.0, 2.4, 0.0};
+  Drive drive{config, map};
+  for (int i = 0; i < 400 && !drive.localizer_.setup_fault(); ++i) (void)drive.step();
+  EXPECT_EQ(drive.localizer_.setup_fault(), InputFault::MapScaleWrong);
+  EXPECT_NEAR(drive.localizer_.map_scale(), 2.0, 0.1);
+}
+
+TEST(Localizer, GoesOnByOdometryBetweenScans) {
+  Drive drive{started()};
+  const auto at_scan = drive.step();
+  ASSERT_TRUE(at_scan);
+
+  drive.localizer_.add_odometry(
+      {drive.time_ + from_seconds(0.05), drive.odom_from_base_ * Pose2{0.02, 0.0, 0.0}, {}, 0});
+
+  const auto now = drive.localizer_.predicted_now();
+  ASSERT_TRUE(now);
+  EXPECT_EQ(now->time, at_scan->time + from_seconds(0.05));
+  EXPECT_NEAR((inverse(at_scan->map_from_base) * now->map_from_base).x, 0.02, 1e-9);
+  EXPECT_GE(now->covariance.trace(), at_scan->covariance.trace());
+  EXPECT_EQ(drive.step()->time, drive.time_);  // and the next scan goes on as ever
+}
+
+TEST(Localizer, StartsWhereItWasIfTheScanAgrees) {
+  Drive drive{LocalizationConfig{}};
+  drive.localizer_.restore({{2.5, 1.2, 0.0}, {}, 0}, Memory::Fresh);
+  EXPECT_EQ(drive.localizer_.memory_outcome(), MemoryOutcome::Awaited);
+
+  const auto result = drive.look();
+
+  ASSERT_TRUE(result);
+  EXPECT_EQ(drive.localizer_.memory_outcome(), MemoryOutcome::Agreed);
+  EXPECT_EQ(result->status, LocalizationStatus::Ok);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
+TEST(Localizer, GoesOnFromWhereItWasByTheWheels) {
+  Drive drive{LocalizationConfig{}};
+  drive.localizer_.restore({{2.5, 1.2, 0.0}, {}, 0}, Memory::Fresh);
+  for (int i = 0; i < 12; ++i) {  // 0.6 m before the first scan
+    drive.map_from_base_ = drive.map_from_base_ * Pose2{0.05, 0.0, 0.05};
+    drive.odom_from_base_ = drive.odom_from_base_ * Pose2{0.05, 0.0, 0.05};
+  }
+  const auto result = drive.look();
+  ASSERT_TRUE(result);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
+TEST(Localizer, DropsARememberedPoseWithWhichTheScanDoesNotAgree) {
+  Drive drive{LocalizationConfig{}};
+  drive.localizer_.restore({{4.8, 3.0, 2.0}, {}, 0}, Memory::Fresh);
+
+  EXPECT_FALSE(drive.look());
+
+  EXPECT_EQ(drive.localizer_.memory_outcome(), MemoryOutcome::Refused);
+  EXPECT_FALSE(drive.localizer_.is_started());
+}
+
+TEST(Localizer, IsUncertainOfAnOldMemoryUntilTheWholeMapWasSearched) {
+  Drive drive{LocalizationConfig{}};
+  drive.localizer_.restore({{2.5, 1.2, 0.0}, {}, 0}, Memory::Old);
+
+  EXPECT_EQ(drive.look()->status, LocalizationStatus::Uncertain);
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 60; ++i) result = drive.step();
+  EXPECT_EQ(result->status, LocalizationStatus::Ok);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+}
+
+TEST(Localizer, GoesOnWhenTheClockWasSetBack) {
+  Drive drive{started()};
+  for (int i = 0; i < 300; ++i) (void)drive.step();
+  drive.time_ -= from_seconds(20.0);
+
+  std::optional<LocalizationResult> result;
+  for (int i = 0; i < 10; ++i) result = drive.step();
+
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->time, drive.time_);
+  EXPECT_LT(drive.error_m(*result), 0.1);
+  EXPECT_EQ(drive.localizer_.faults().count(InputFault::TimeWentBack), 1U);
+}
+
+TEST(Localizer, PutsALateOdometrySampleInItsPlace) {
+  Drive drive{started()};
+  (void)drive.step();
+  drive.localizer_.add_odometry({drive.time_ - from_seconds(0.05), drive.odom_from_base_, {}, 0});
+  EXPECT_TRUE(drive.step());
+  EXPECT_EQ(drive.localizer_.faults().count(InputFault::OdometryOutOfOrder), 1U);
 }
 
 }  // namespace

@@ -54,5 +54,30 @@ TEST(MotionOf, FollowsTheChordOfTheArc) {
   EXPECT_NEAR(quarter.x, quarter.y, 1e-12);  // a quarter of a circle ends at 45 degrees
 }
 
+TEST(OdometryHistory, TellsALateSampleFromATimeThatWentBack) {
+  OdometryHistory history{from_seconds(0.2)};
+  const auto add = [&](double seconds, double x) {
+    return history.add({Time{from_seconds(seconds)}, {x, 0.0, 0.0}, {}, 0});
+  };
+  EXPECT_EQ(add(100.0, 0.0), OdometryOrder::InOrder);
+  EXPECT_EQ(add(101.0, 1.0), OdometryOrder::InOrder);
+  EXPECT_EQ(add(100.5, 0.8), OdometryOrder::Late);
+  EXPECT_DOUBLE_EQ(history.at(Time{from_seconds(100.5)})->odom_from_base.x, 0.8);
+
+  EXPECT_EQ(add(50.0, 2.0), OdometryOrder::WentBack);
+  EXPECT_FALSE(history.at(Time{from_seconds(101.0)}));
+  EXPECT_DOUBLE_EQ(history.newest()->odom_from_base.x, 2.0);
+}
+
+TEST(OdometryHistory, IsNotHeldUpByOneStampFromTheFuture) {
+  OdometryHistory history{from_seconds(0.2)};
+  (void)history.add({Time{from_seconds(10.0)}, {1.0, 0.0, 0.0}, {}, 0});
+  (void)history.add({Time{from_seconds(3600.0)}, {1.0, 0.0, 0.0}, {}, 0});
+  (void)history.add({Time{from_seconds(10.1)}, {2.0, 0.0, 0.0}, {}, 0});
+
+  EXPECT_DOUBLE_EQ(history.at(Time{from_seconds(10.1)})->odom_from_base.x, 2.0);
+  EXPECT_FALSE(history.at(Time{from_seconds(20.0)}));
+}
+
 }  // namespace
 }  // namespace tandem

@@ -19,7 +19,9 @@ class Drive {
     truth_ = truth_ * motion;
     odom_ = odom_ * motion;
     finder_.add({time_, odom_, {}, epoch_}, selected_endpoints(test::scan_from(map_, truth_, time_), 90, 25.0, {}));
-    return finder_.find();
+    finder_.seek();
+    while (finder_.is_searching()) finder_.advance(100'000);
+    return finder_.finding();
   }
 
   OccupancyGrid map_;
@@ -42,7 +44,7 @@ TEST(PlaceFinder, IsCertainOnlyAfterSomeWay) {
   bool certain = false;
   for (int i = 0; i < 10 && !certain; ++i) certain = drive.step().certain;
   ASSERT_TRUE(certain);
-  EXPECT_TRUE(PlaceFinder::is_same(drive.finder_.last_finding().places.front().map_from_base, drive.truth_));
+  EXPECT_TRUE(PlaceFinder::is_same(drive.finder_.finding().places.front().map_from_base, drive.truth_));
 }
 
 TEST(PlaceFinder, NeverChoosesBetweenTwoPlacesThatLookAlike) {
@@ -83,7 +85,51 @@ TEST(PlaceFinder, BeginsAnewWhenTheRobotWasCarried) {
   bool certain = false;
   for (int i = 0; i < 10 && !certain; ++i) certain = drive.step().certain;
   ASSERT_TRUE(certain);
-  EXPECT_TRUE(PlaceFinder::is_same(drive.finder_.last_finding().places.front().map_from_base, drive.truth_));
+  EXPECT_TRUE(PlaceFinder::is_same(drive.finder_.finding().places.front().map_from_base, drive.truth_));
+}
+
+TEST(PlaceFinder, CarriesWhatItFoundToWhereTheRobotHasDriven) {
+  Drive drive{test::uneven_room()};
+  (void)drive.step();
+  drive.finder_.seek();
+  const Pose2 before = drive.finder_.finding().places.front().map_from_base;
+
+  drive.finder_.add({drive.time_, drive.odom_ * Pose2{0.3, 0.0, 0.0}, {}, 0}, {});  // too short a way to search again
+
+  const Pose2 after = drive.finder_.finding().places.front().map_from_base;
+  EXPECT_NEAR((inverse(before) * after).x, 0.3, 1e-9);
+}
+
+TEST(PlaceFinder, FindsTheSameHoweverItsWorkIsDivided) {
+  Drive at_once{test::uneven_room()};
+  Drive in_pieces{test::uneven_room()};
+  const Finding& expected = at_once.step();
+
+  const LaserScan scan = test::scan_from(in_pieces.map_, at_once.truth_, at_once.time_);
+  in_pieces.finder_.add({at_once.time_, at_once.odom_, {}, 0}, selected_endpoints(scan, 90, 25.0, {}));
+  in_pieces.finder_.seek();
+  int pieces = 0;
+  for (; in_pieces.finder_.is_searching(); ++pieces) {
+    EXPECT_TRUE(in_pieces.finder_.finding().places.empty());
+    in_pieces.finder_.advance(100);
+  }
+  EXPECT_GT(pieces, 3);
+  ASSERT_EQ(in_pieces.finder_.finding().places.size(), expected.places.size());
+  for (std::size_t i = 0; i < expected.places.size(); ++i) {
+    EXPECT_EQ(in_pieces.finder_.finding().places[i].map_from_base, expected.places[i].map_from_base);
+    EXPECT_EQ(in_pieces.finder_.finding().places[i].weight, expected.places[i].weight);
+  }
+}
+
+TEST(PlaceFinder, ForgetsWhatNobodyAsksForAnyMore) {
+  Drive drive{test::uneven_room()};
+  ASSERT_FALSE(drive.step().places.empty());
+  const std::vector<Eigen::Vector2d> endpoints{{1.0, 0.0}};
+
+  drive.finder_.add({drive.time_, drive.odom_, {}, 0}, endpoints);  // asked for at the scan before: kept
+  EXPECT_FALSE(drive.finder_.finding().places.empty());
+  drive.finder_.add({drive.time_, drive.odom_, {}, 0}, endpoints);
+  EXPECT_TRUE(drive.finder_.finding().places.empty());
 }
 
 }  // namespace

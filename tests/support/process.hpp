@@ -1,0 +1,55 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace tandem::test {
+
+/// A program that runs until this object goes; it must then end well.
+class Process {
+ public:
+  explicit Process(const std::vector<std::string>& words) {
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));  // NOLINT
+    arguments.push_back(nullptr);
+    id_ = fork();
+    if (id_ == 0) {
+      execv(arguments[0], arguments.data());
+      _exit(127);
+    }
+  }
+  ~Process() {
+    kill(id_, SIGTERM);
+    int status = 0;
+    waitpid(id_, &status, 0);
+    EXPECT_EQ(WEXITSTATUS(status), 0);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// What it has used of a core so far [s].
+  [[nodiscard]] double cpu_s() const {
+    std::ifstream file{"/proc/" + std::to_string(id_) + "/stat"};
+    std::string line;
+    std::getline(file, line);
+    std::istringstream fields{line.substr(line.rfind(')') + 2)};  // the name in brackets may hold anything
+    std::string skipped;
+    for (int i = 3; i < 14; ++i) fields >> skipped;
+    double user = 0.0;
+    double system = 0.0;
+    fields >> user >> system;
+    return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  }
+
+ private:
+  pid_t id_ = -1;
+};
+
+}  // namespace tandem::test
