@@ -7,7 +7,7 @@ namespace {
 
 /// A robot that drives 1 m a second along the x axis, with odometry that began at (5, 0).
 RecordedLog straight_log() {
-  RecordedLog log{.name = "straight", .map = {}, .events = {}, .truth = {}};
+  RecordedLog log{.name = "straight", .map_file = {}, .map = {}, .events = {}, .truth = {}};
   for (int i = 0; i <= 20; ++i) {
     const Time time{from_seconds(i)};
     log.events.emplace_back(OdometrySample{time, {5.0 + i, 0.0, 0.0}, {}, 0});
