@@ -17,7 +17,7 @@ enum class InputFault {
   ScanGeometryChanged,    ///< another number of beams, other angles or another place of the laser than before
   ScanNotFinite,          ///< its angles or the laser's place are not numbers
   OdometryJump,           ///< faster than any robot: the motion is taken as unknown
-  OdometryOutOfOrder,     ///< older than the last one; still put in its place
+  OdometryOutOfOrder,     ///< older than the last one; the localizer still puts it in its place
   OdometryNotFinite,      ///< not a number
   TimeWentBack,           ///< by seconds, and stayed there: the past is forgotten
   LaserMirrored,          ///< scans fit the map clearly better when left and right are exchanged
