@@ -42,5 +42,14 @@ TEST(Purity, OnlyTheBusKnowsDds) {
   }
 }
 
+TEST(Purity, ATestWritesOnlyInAFolderOfItsOwn) {
+  const std::regex shared{"temp_directory_path|TempDir\\(\\)|tmpnam"};
+  for (const auto& line : lines_of_sources({"tests"})) {
+    if (line.file == "tests/support/temporary_folder.hpp" || line.file.starts_with("tests/architecture/")) continue;
+    EXPECT_FALSE(std::regex_search(line.text, shared))
+        << line.file << ":" << line.number << ": " << line.text << " (see tests/support/temporary_folder.hpp)";
+  }
+}
+
 }  // namespace
 }  // namespace tandem::test

@@ -36,10 +36,8 @@ SimulatedTeam::SimulatedTeam(const TeamOptions& options) : options_(options) {
   run.robot_domain = options.robot_domain;
   run.laptop_domain = options.laptop_domain;
   run.link_domain = options.link_domain;
-  run.folder = fs::temp_directory_path() /
-               ("tandem-test-" + std::to_string(getpid()) + "-" + std::to_string(options.robot_domain));
+  run.folder = home_ / "run";
   run.recording_folder = run.folder;
-  fs::remove_all(run.folder);
   folder_ = cli::make_run_folder(run);
   laptop_site_ = load_config<SiteConfig>(folder_.laptop_config / "site.toml");
   const auto robot_site = load_config<SiteConfig>(folder_.robot_config / "site.toml");
@@ -74,8 +72,6 @@ SimulatedTeam::SimulatedTeam(const TeamOptions& options) : options_(options) {
 
 SimulatedTeam::~SimulatedTeam() {
   supervisor_.stop_all(std::chrono::seconds{10});
-  std::error_code ignored;
-  fs::remove_all(folder_.logs.parent_path(), ignored);
 }
 
 bool SimulatedTeam::run_until(Duration timeout, const std::function<bool()>& condition) {

@@ -11,6 +11,7 @@
 #include "services/cli/up/episode.hpp"
 #include "services/cli/up/run_folder.hpp"
 #include "services/cli/up/supervisor.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::test {
 
@@ -55,6 +56,7 @@ class SimulatedTeam {
   [[nodiscard]] std::string last_words() const;
 
  private:
+  TemporaryFolder home_;  ///< outlives everything that writes in it
   TeamOptions options_;
   cli::RunFolder folder_;
   SiteConfig laptop_site_;

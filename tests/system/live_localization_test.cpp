@@ -18,6 +18,7 @@
 #include "services/recorder/core/carmen_log.hpp"
 #include "tests/support/domain_lease.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_data.hpp"
 
 namespace tandem::test {
@@ -36,7 +37,6 @@ int run(const std::string& command) {
 class LiveLocalization : public testing::TestWithParam<double> {
  protected:
   void prepare() {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "config");
     std::istringstream all{carmen::read_log_file((data_folder() / "fr079/fr079.odomscan.txt.gz").string())};
     std::string kept;
@@ -56,8 +56,7 @@ class LiveLocalization : public testing::TestWithParam<double> {
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   const DomainLease domain_{1};
-  const fs::path folder_ = fs::path{testing::TempDir()} /
-                           ("tandem_live_localization_test_" + std::to_string(GetParam()));  // they run side by side
+  const TemporaryFolder folder_;
   const std::string map_ = fs::absolute(data_folder() / "maps/fr079_even.yaml").string();
 };
 
@@ -117,7 +116,6 @@ TEST_P(LiveLocalization, StaysWithinTwoCentimetresOfTandemLocalize) {
               GetParam(), sent, offline.size(), 100.0 * static_cast<double>(near) / scans, 100.0 * core_share,
               scans_per_s, latency.c_str());
   EXPECT_GE(static_cast<double>(near), 0.99 * scans);
-  fs::remove_all(folder_);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rates, LiveLocalization, testing::Values(1.0, 2.2, 4.0));

@@ -11,6 +11,7 @@
 #include "services/recorder/core/carmen_log.hpp"
 #include "tests/support/domain_lease.hpp"
 #include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_data.hpp"
 
 namespace tandem::test {
@@ -38,7 +39,6 @@ std::string first_seconds_of_fr079(double end_s) {
 class LockstepLocalization : public testing::Test {
  protected:
   void prepare() {
-    fs::remove_all(folder_);
     fs::create_directories(folder_ / "config");
     write_file_atomically(folder_ / "log.txt", first_seconds_of_fr079(60.0));
     write_file_atomically(folder_ / "config/site.toml", "host_domain = " + std::to_string(domain_[0]) + "\n");
@@ -50,7 +50,7 @@ class LockstepLocalization : public testing::Test {
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   const DomainLease domain_{1};
-  const fs::path folder_ = fs::path{testing::TempDir()} / "tandem_lockstep_localization_test";
+  const TemporaryFolder folder_;
   const std::string map_ = fs::absolute(data_folder() / "maps/fr079_even.yaml").string();
 };
 
@@ -70,7 +70,6 @@ TEST_F(LockstepLocalization, GivesTheTrajectoryOfTandemLocalizeByteForByte) {
   const std::string offline = read_file(folder_ / "offline.txt");
   EXPECT_GT(offline.size(), 4'000U);
   EXPECT_EQ(read_file(folder_ / "live.txt"), offline);
-  fs::remove_all(folder_);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/common/file_io.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::test {
 namespace {
@@ -13,14 +14,12 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST(Search, APersonAndARobotFindTheObjectTogether) {
-  const fs::path folder = fs::path{testing::TempDir()} / "tandem_search_test";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const TemporaryFolder folder;
   const std::string tandem = TANDEM_BINARY_DIR "/bin/tandem";
   const std::string json = (folder / "out.json").string();
   const std::string command =
       tandem + " up --simulate quick --headless --seed 1 --config " TANDEM_SOURCE_DIR "/config --output " +
-      folder.string() + " --json " + json;
+      folder.path().string() + " --json " + json;
 
   ASSERT_EQ(std::system(command.c_str()), 0);
 
@@ -37,14 +36,12 @@ TEST(Search, APersonAndARobotFindTheObjectTogether) {
 }
 
 TEST(Search, ALimitThatIsTooShortIsAFailureThatSaysSo) {
-  const fs::path folder = fs::path{testing::TempDir()} / "tandem_limit_test";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const TemporaryFolder folder;
   const std::string json = (folder / "out.json").string();
   const std::string command = TANDEM_BINARY_DIR
                               "/bin/tandem up --simulate brl --headless --limit-s 2 --config " TANDEM_SOURCE_DIR
                               "/config --output " +
-                              folder.string() + " --json " + json;
+                              folder.path().string() + " --json " + json;
 
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1);
   const auto result = nlohmann::json::parse(read_file(json));

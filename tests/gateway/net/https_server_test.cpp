@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "gateway/net/websocket_client.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::net {
 namespace {
@@ -49,10 +50,7 @@ class OneToken final : public Gatekeeper {
 
 class HttpsServerTest : public testing::Test {
  protected:
-  HttpsServerTest()
-      : folder_(std::filesystem::temp_directory_path() / ("tandem_net_" + random_hex(6))),
-        certificate_(load_or_create_certificate(folder_, {"localhost", "127.0.0.1"})) {}
-  ~HttpsServerTest() override { std::filesystem::remove_all(folder_); }
+  HttpsServerTest() : certificate_(load_or_create_certificate(folder_.path(), {"localhost", "127.0.0.1"})) {}
 
   static HttpsServer::Options options() {
     HttpsServer::Options options;
@@ -77,7 +75,7 @@ class HttpsServerTest : public testing::Test {
     return found;
   }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
   Certificate certificate_;
   std::vector<Asset> assets_;
   OneToken gatekeeper_;
@@ -160,8 +158,9 @@ TEST_F(HttpsServerTest, TakenPortIsAClearError) {
 }
 
 TEST_F(HttpsServerTest, CertificateIsKeptUntilItMustNameMore) {
-  EXPECT_EQ(load_or_create_certificate(folder_, {"localhost"}).fingerprint, certificate_.fingerprint);
-  EXPECT_NE(load_or_create_certificate(folder_, {"localhost", "192.168.4.1"}).fingerprint, certificate_.fingerprint);
+  EXPECT_EQ(load_or_create_certificate(folder_.path(), {"localhost"}).fingerprint, certificate_.fingerprint);
+  EXPECT_NE(load_or_create_certificate(folder_.path(), {"localhost", "192.168.4.1"}).fingerprint,
+            certificate_.fingerprint);
   const auto rights = std::filesystem::status(folder_ / "gateway.key").permissions();
   EXPECT_EQ(rights, std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }

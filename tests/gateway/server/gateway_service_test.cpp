@@ -9,6 +9,7 @@
 #include "gateway/net/websocket_client.hpp"
 #include "services/common/file_io.hpp"
 #include "tests/support/domain_lease.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::gateway {
 namespace {
@@ -20,8 +21,7 @@ using protocol::CommandKind;
 class GatewayServiceTest : public testing::Test {
  protected:
   GatewayServiceTest()
-      : folder_(std::filesystem::temp_directory_path() / ("tandem_gateway_" + net::random_hex(6))),
-        bus_(options(domains_[0])),
+      : bus_(options(domains_[0])),
         stops_(bus_, topic::kStopRequest, "base"),
         to_planner_(bus_, topic::kHumanMessage, "planner"),
         to_tracker_(bus_, topic::kHumanMessage, "tracker") {
@@ -29,7 +29,7 @@ class GatewayServiceTest : public testing::Test {
     config.address = "127.0.0.1";
     config.port = 0;
     config.link_host = "127.0.0.1";
-    config.state_folder = folder_;
+    config.state_folder = folder_.path();
     config.participant_link_file = folder_ / "participant";
     config.observer_link_file = folder_ / "observer";
     SiteConfig site;
@@ -37,10 +37,7 @@ class GatewayServiceTest : public testing::Test {
     site.role = "laptop";
     gateway_.emplace(config, site, bus_, clock_, clock_);
   }
-  ~GatewayServiceTest() override {
-    gateway_.reset();
-    std::filesystem::remove_all(folder_);
-  }
+  ~GatewayServiceTest() override { gateway_.reset(); }
 
   static bus::DomainOptions options(int domain) {
     bus::DomainOptions options;
@@ -108,7 +105,7 @@ class GatewayServiceTest : public testing::Test {
   }
 
   test::DomainLease domains_{1};
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
   bus::Bus bus_;
   SteadyClock clock_;
   bus::EventReceiver<msg::StopRequest, msg::StopRequestPubSubType> stops_;

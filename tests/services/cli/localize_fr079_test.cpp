@@ -8,6 +8,7 @@
 #include "services/recorder/carmen_import.hpp"
 #include "services/recorder/core/carmen_log.hpp"
 #include "services/recorder/recording_file.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_data.hpp"
 
 namespace tandem::cli {
@@ -16,15 +17,11 @@ namespace {
 /// fr079 as a recording in a file that goes with the test.
 class Recording {
  public:
-  explicit Recording(const std::string& log) : file_(testing::TempDir() + "localize_" + log.substr(0, 5) + ".mcap") {
-    std::filesystem::remove(file_);
+  explicit Recording(const std::string& log) {
     const std::string path = (test::data_folder() / log.substr(0, 5) / log).string();
     const auto events = carmen::parse_log(carmen::read_log_file(path), path);
     recorder::write_recording(file_, [&](mcap::Writer& writer) { recorder::write_carmen(events, "robot1", writer); });
   }
-  ~Recording() { std::filesystem::remove(file_); }
-  Recording(const Recording&) = delete;
-  Recording& operator=(const Recording&) = delete;
 
   [[nodiscard]] OfflineResult localized(const OccupancyGrid& map, const LocalizationConfig& config,
                                         const std::optional<Kidnapping>& kidnapping = {}) const {
@@ -37,7 +34,8 @@ class Recording {
   }
 
  private:
-  std::string file_;
+  test::TemporaryFolder folder_;
+  std::string file_ = (folder_ / "log.mcap").string();
 };
 
 TEST(LocalizeFr079, FollowsTheRobotThroughWheelsThatMissMetres) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/common/file_io.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -31,19 +32,14 @@ Outcome run(const std::string& arguments) {
 class RecordingCommands : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("tandem_cli_" + std::string{testing::UnitTest::GetInstance()->current_test_info()->name()});
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     std::string ranges;
     for (int i = 0; i < 180; ++i) ranges += " 2.5";
     write("log.txt", "O 1.0 0 0 0\nS 1.0 0 0 0 180" + ranges + "\nS 1.5 1 0 0 180" + ranges + "\n");
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   void write(const std::string& name, const std::string& text) const { write_file_atomically(folder_ / name, text); }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(RecordingCommands, AnImportedLogIsWhatInfoSays) {

@@ -2,17 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/temporary_folder.hpp"
+
 namespace tandem {
 namespace {
 
 class FileIo : public testing::Test {
  protected:
-  FileIo() { std::filesystem::create_directories(folder_); }
-  ~FileIo() override { std::filesystem::remove_all(folder_); }
-
-  std::filesystem::path folder_ =
-      std::filesystem::path{testing::TempDir()} /
-      (std::string{"tandem_file_io_"} + testing::UnitTest::GetInstance()->current_test_info()->name());
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(FileIo, GivesBackEveryByte) {
@@ -28,7 +25,7 @@ TEST_F(FileIo, ReplacesTheOldContentAndLeavesNothingBeside) {
   write_file_atomically(folder_ / "note", "short");
 
   EXPECT_EQ(read_file(folder_ / "note"), "short");
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator{folder_}, {}), 1);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator{folder_.path()}, {}), 1);
 }
 
 TEST_F(FileIo, AFileThatCannotBeReadIsNamedWithTheReason) {

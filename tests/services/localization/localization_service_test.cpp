@@ -16,6 +16,7 @@
 #include "services/mapping/map_messages.hpp"
 #include "tests/services/localization/room.hpp"
 #include "tests/support/domain_lease.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem {
 namespace {
@@ -183,8 +184,8 @@ TEST(LocalizationService, SendsAPoseForEachOdometrySampleInTheOrderOfTheirStamps
 
 TEST(LocalizationService, StartsAgainWhereItWas) {
   const Pose2 truth{2.5, 1.2, 0.3};
-  const std::string file = testing::TempDir() + "/tandem_last_pose_test.json";
-  std::filesystem::remove(file);
+  const test::TemporaryFolder folder;
+  const std::string file = (folder / "last_pose.json").string();
   LocalizationConfig config = started_at(truth);
   config.last_pose_file = file;
   {
@@ -222,7 +223,6 @@ TEST(LocalizationService, StartsAgainWhereItWas) {
   Host corrupt{config};
   ASSERT_TRUE(corrupt.connect());
   EXPECT_EQ(corrupt.reason_, "waiting for a start pose: place the robot on the phone's map");
-  std::filesystem::remove(file);
 }
 
 TEST(LocalizationService, NamesBadInputInItsHealth) {

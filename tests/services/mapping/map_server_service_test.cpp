@@ -8,6 +8,7 @@
 #include "services/mapping/map_messages.hpp"
 #include "tests/support/ascii_map.hpp"
 #include "tests/support/domain_lease.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem {
 namespace {
@@ -39,14 +40,13 @@ TEST(MapMessages, RefuseWhatDoesNotFitTogether) {
 }
 
 TEST(MapServerService, GivesItsMapToThoseWhoComeLater) {
-  const auto folder = std::filesystem::temp_directory_path() / "tandem_map_server_service_test";
-  std::filesystem::create_directories(folder);
+  const test::TemporaryFolder folder;
   save_map(room(), folder / "room.yaml");
   const test::DomainLease domain{1};
   SiteConfig site;
   site.host_domain = domain[0];
   bus::Bus bus{bus::host_domain(site, "map-server")};
-  MapServerService service{MapServerConfig{.map = "room.yaml"}, folder, site, bus};
+  MapServerService service{MapServerConfig{.map = "room.yaml"}, folder.path(), site, bus};
 
   bus::Bus late{bus::host_domain(site, "late")};
   auto maps = late.latest(topic::kMap);
@@ -54,7 +54,6 @@ TEST(MapServerService, GivesItsMapToThoseWhoComeLater) {
   ASSERT_TRUE(bus::wait_until(late, from_seconds(20.0), [&] { return maps.newest().has_value(); }));
   EXPECT_EQ(maps.newest()->message.map_id(), "room");
   EXPECT_EQ(to_grid(maps.newest()->message), room());
-  std::filesystem::remove_all(folder);
 }
 
 TEST(MapServerService, CorruptMapIsRefused) {

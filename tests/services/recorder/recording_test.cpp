@@ -9,6 +9,7 @@
 #include "services/recorder/player.hpp"
 #include "services/recorder/recorder_service.hpp"
 #include "tests/support/domain_lease.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::recorder {
 namespace {
@@ -18,14 +19,6 @@ using std::chrono::seconds;
 /// A folder of its own, gone at the end.
 class Recording : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("tandem_" + std::string{testing::UnitTest::GetInstance()->current_test_info()->name()});
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   [[nodiscard]] bus::DomainOptions options(const std::string& name, bus::Pace pace = bus::Pace::RealTime) const {
     bus::DomainOptions options;
     options.domain = domain_[0];
@@ -46,7 +39,7 @@ class Recording : public testing::Test {
   }
 
   test::DomainLease domain_{1};
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 /// Payloads of `topic`, in order.
@@ -161,7 +154,7 @@ TEST_F(Recording, IsNotReplayedBesideARealBase) {
 
 TEST_F(Recording, NeverOverwritesAnother) {
   RecorderConfig config;
-  config.folder = folder_.string();
+  config.folder = folder_.path().string();
   config.name = "a";
   EXPECT_EQ(recording_path(config, {}), folder_ / "a.mcap");
   { RecordFile first{folder_ / "a.mcap"}; }
@@ -171,7 +164,7 @@ TEST_F(Recording, NeverOverwritesAnother) {
 TEST_F(Recording, ThatCannotBeWrittenLeavesNothingBehind) {
   const auto file = folder_ / "a.mcap";
   EXPECT_THROW(write_recording(file, [](mcap::Writer&) { throw std::runtime_error("bad line"); }), std::runtime_error);
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
 }  // namespace

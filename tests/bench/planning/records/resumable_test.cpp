@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/temporary_folder.hpp"
+
 namespace tandem::bench {
 namespace {
 
@@ -26,11 +28,8 @@ Record squared(const Request& request) {
 
 class Resumable : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::remove(file_); }
-  void TearDown() override { std::filesystem::remove(file_); }
-  std::filesystem::path file_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("tandem_resumable_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  test::TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_ / "records.jsonl";
   std::vector<Request> requests_{{1}, {2}, {3}};
   int made_ = 0;
 };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/planning/records/json_lines.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -34,10 +35,10 @@ TEST(RunRecord, RefusesWhatIsNone) {
 }
 
 TEST(RunRecord, ALineThatWasCutOffIsLeftOut) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "tandem_run_record_test.jsonl";
+  const test::TemporaryFolder folder;
+  const auto file = folder / "runs.jsonl";
   write_file_atomically(file, to_line(a_record()) + "\n" + to_line(a_record()).substr(0, 20));
   EXPECT_EQ(read_lines<RunRecord>(file).size(), 1U);
-  std::filesystem::remove(file);
   EXPECT_TRUE(read_lines<RunRecord>(file).empty());
 }
 

@@ -11,6 +11,7 @@
 #include "services/recorder/carmen_import.hpp"
 #include "services/recorder/recording_file.hpp"
 #include "tests/services/map_builder/ring.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -34,10 +35,6 @@ Outcome run(const std::string& arguments) {
 class MapCommands : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              ("tandem_map_" + std::string{testing::UnitTest::GetInstance()->current_test_info()->name()});
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
     const auto ring = test::drive_around(6.0, 0.03);
     std::vector<carmen::Event> events;
     for (std::size_t i = 0; i < ring.scans.size(); ++i) {
@@ -51,16 +48,17 @@ class MapCommands : public testing::Test {
     recorder::write_recording(path("drive.mcap"),
                               [&](mcap::Writer& writer) { recorder::write_carmen(events, "robot1", writer); });
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
   [[nodiscard]] std::vector<std::string> files() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator{folder_}) names.push_back(entry.path().filename());
+    for (const auto& entry : std::filesystem::directory_iterator{folder_.path()}) {
+      names.push_back(entry.path().filename());
+    }
     std::sort(names.begin(), names.end());
     return names;
   }
 
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(MapCommands, ARecordingBecomesAMapThatCanBeCheckedAndLoaded) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/common/file_io.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -30,8 +31,8 @@ Outcome plan(const std::string& scenario, const std::string& arguments) {
 }
 
 TEST(PlanCommand, PrintsJsonAndWritesAPicture) {
-  const auto file = std::filesystem::temp_directory_path() / "tandem_plan_command.svg";
-  std::filesystem::remove(file);
+  const test::TemporaryFolder folder;
+  const auto file = folder / "plan.svg";
   const Outcome outcome = plan("tasks/supermarket.json", "--rollouts 100 --seed 2 --json --picture " + file.string());
   EXPECT_EQ(outcome.code, 0);
   const auto json = nlohmann::json::parse(outcome.output);
@@ -39,7 +40,6 @@ TEST(PlanCommand, PrintsJsonAndWritesAPicture) {
   EXPECT_EQ(json.at("seed"), 2);
   EXPECT_NEAR(json.at("value"), 17.0, 1e-6);
   EXPECT_TRUE(read_file(file).starts_with("<svg "));
-  std::filesystem::remove(file);
 }
 
 TEST(PlanCommand, WrongUseIsToldInOneLineAndEndsWithTwo) {

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "services/common/file_io.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -34,16 +35,11 @@ const std::string kQuick = "--scenario quick --rollouts 5 ";
 
 class StudyCommand : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("tandem_study_" + std::string{testing::UnitTest::GetInstance()->current_test_info()->name()});
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override {}
   [[nodiscard]] std::string to(const std::string& name) const { return "--output " + (folder_ / name).string() + " "; }
   [[nodiscard]] std::string content(const std::string& name) const { return read_file(folder_ / name); }
 
-  fs::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(StudyCommand, EqualSeedsPrintEqualJsonOnAnyNumberOfThreads) {

@@ -9,6 +9,7 @@
 #include "services/cli/command.hpp"
 #include "services/common/file_io.hpp"
 #include "tests/services/experiment/core/episode/room_scenario.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -18,13 +19,7 @@ namespace fs = std::filesystem;
 /// A study of a few short episodes in a hall, in a folder of its own.
 class StudyRun : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::temp_directory_path() /
-              ("tandem_study_" + std::string{testing::UnitTest::GetInstance()->current_test_info()->name()});
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override {}
 
   static StudyPlan plan(std::uint64_t episodes, unsigned threads) {
     StudyPlan plan{
@@ -43,7 +38,7 @@ class StudyRun : public testing::Test {
     return read_file(folder_ / name);
   }
 
-  fs::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(StudyRun, OneThreadAndTwoGiveTheSameFile) {

@@ -5,15 +5,16 @@
 #include <set>
 
 #include "services/common/site_config.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::cli {
 namespace {
 
 TEST(RunFolder, HoldsTheConfigsOfBothHostsWithTheRunsOwnDomainsAndPorts) {
+  const test::TemporaryFolder home;
   SimulatedRun run;
   run.config_root = std::filesystem::path{TANDEM_SOURCE_DIR} / "config";
-  run.folder = std::filesystem::path{testing::TempDir()} / "tandem_run_folder_test";
-  std::filesystem::remove_all(run.folder);
+  run.folder = home / "run";
   run.scenario = run.config_root / "scenarios" / "quick.json";
   run.map = run.config_root / "maps" / "room.yaml";
   run.robot_domain = 31;
@@ -41,7 +42,6 @@ TEST(RunFolder, HoldsTheConfigsOfBothHostsWithTheRunsOwnDomainsAndPorts) {
   for (const auto& service : services_of("laptop")) {
     EXPECT_TRUE(std::filesystem::exists(folder.laptop_config / (service + ".toml"))) << service;
   }
-  std::filesystem::remove_all(run.folder);
 }
 
 TEST(RunFolder, OneHostForEverythingRunsEachServiceOnce) {

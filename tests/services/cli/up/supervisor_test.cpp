@@ -5,17 +5,12 @@
 #include <csignal>
 
 #include "services/common/clock.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::cli {
 namespace {
 
 using std::chrono::seconds;
-
-std::filesystem::path log_file(const std::string& name) {
-  const auto file = std::filesystem::path{testing::TempDir()} / ("tandem_supervisor_" + name + ".log");
-  std::filesystem::remove(file);
-  return file;
-}
 
 /// Waits until a child has ended by itself.
 std::vector<ProcessEnd> wait_for_end(Supervisor& supervisor) {
@@ -27,9 +22,10 @@ std::vector<ProcessEnd> wait_for_end(Supervisor& supervisor) {
 }
 
 TEST(Supervisor, TellsWhichProcessEndedAndItsLastWords) {
+  const test::TemporaryFolder folder;
   Supervisor supervisor;
-  supervisor.start({"robot/base", "/bin/sh", {"-c", "echo first; echo no answer from /dev/pioneer; exit 3"},
-                    log_file("end")});
+  supervisor.start(
+      {"robot/base", "/bin/sh", {"-c", "echo first; echo no answer from /dev/pioneer; exit 3"}, folder / "end.log"});
 
   const auto ends = wait_for_end(supervisor);
   ASSERT_EQ(ends.size(), 1U);
@@ -39,8 +35,9 @@ TEST(Supervisor, TellsWhichProcessEndedAndItsLastWords) {
 }
 
 TEST(Supervisor, StopsAlsoAFrozenProcess) {
+  const test::TemporaryFolder folder;
   Supervisor supervisor;
-  supervisor.start({"frozen", "/bin/sleep", {"1000"}, log_file("frozen")});
+  supervisor.start({"frozen", "/bin/sleep", {"1000"}, folder / "frozen.log"});
   EXPECT_TRUE(supervisor.is_running("frozen"));
   EXPECT_TRUE(supervisor.signal("frozen", SIGSTOP));
 
@@ -49,9 +46,10 @@ TEST(Supervisor, StopsAlsoAFrozenProcess) {
 }
 
 TEST(Supervisor, AProgramThatIsNotThereIsNamed) {
+  const test::TemporaryFolder folder;
   Supervisor supervisor;
   try {
-    supervisor.start({"x", "/nowhere/tandem-x", {}, log_file("none")});
+    supervisor.start({"x", "/nowhere/tandem-x", {}, folder / "none.log"});
     FAIL();
   } catch (const std::exception& error) {
     EXPECT_NE(std::string{error.what()}.find("/nowhere/tandem-x"), std::string::npos);

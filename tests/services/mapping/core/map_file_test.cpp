@@ -7,6 +7,7 @@
 #include "services/common/file_io.hpp"
 #include "services/common/random.hpp"
 #include "tests/support/ascii_map.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem {
 namespace {
@@ -14,13 +15,6 @@ namespace {
 /// A folder of its own for each test, gone afterwards.
 class MapFile : public testing::Test {
  protected:
-  MapFile() {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() / (std::string{"tandem_map_file_"} + info->name());
-    std::filesystem::create_directories(folder_);
-  }
-  ~MapFile() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path write(const std::string& name, const std::string& content) {
     write_file_atomically(folder_ / name, content);
     return folder_ / name;
@@ -35,7 +29,7 @@ class MapFile : public testing::Test {
     }
     return "";
   }
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_;
 };
 
 const std::string kHeader = "image: m.pgm\nresolution: 0.5\norigin: [-1, 2, 0]\n";

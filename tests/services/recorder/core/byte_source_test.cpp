@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "services/common/file_io.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::mcap {
 namespace {
@@ -21,10 +22,10 @@ TEST(ByteSource, OfMemoryGivesItsBytes) {
 }
 
 TEST(ByteSource, OfAFileGivesTheSame) {
-  const std::filesystem::path file = std::filesystem::path{testing::TempDir()} / "tandem_byte_source";
+  const test::TemporaryFolder folder;
+  const auto file = folder / "bytes";
   write_file_atomically(file, "abcd");
   expect_abcd(*file_source(file));
-  std::filesystem::remove(file);
 }
 
 TEST(ByteSource, AFileThatIsNotThereIsNamed) {

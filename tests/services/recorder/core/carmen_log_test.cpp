@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "services/common/file_io.hpp"
+#include "tests/support/temporary_folder.hpp"
 #include "tests/support/test_data.hpp"
 
 namespace tandem::carmen {
@@ -134,10 +135,10 @@ TEST(CarmenLogFile, AGzipFileCutShortIsRefused) {
   const std::string gzip{
       // of "O 0 0 0 0\n", without its last four bytes
       "\x1f\x8b\x08\x00\x00\x00\x00\x00\x00\x03\xf3\x57\x30\x50\x30\x40\x42\x2e\x00\xa5\x7e\x39\x0b", 23};
-  const auto file = std::filesystem::temp_directory_path() / "tandem_carmen_log_test.gz";
+  const test::TemporaryFolder folder;
+  const auto file = folder / "torn.gz";
   write_file_atomically(file, gzip);
   EXPECT_THROW((void)read_log_file(file.string()), LogError);
-  std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "services/simulator/wire/camera_server.hpp"
 #include "services/simulator/wire/laser_server.hpp"
 #include "tests/support/ascii_map.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem::simulator {
 namespace {
@@ -142,7 +143,8 @@ TEST(BaseServer, AConnectionOutlivesItsHost) {
 }
 
 TEST(BaseServer, ShakesHandsOverAPseudoTerminal) {
-  const auto link = std::filesystem::temp_directory_path() / ("tandem_pty_" + std::to_string(::getpid()));
+  const test::TemporaryFolder folder;
+  const auto link = folder / "pty";
   {
     BaseHouse house{0, link.string()};
     const RawClient client{link.string()};
