@@ -94,6 +94,7 @@ void PlannerService::step() {
   tell_person(done);
   const bool failed = mission_.activity() == MissionActivity::Failed;
   health_.step(failed ? msg::HEALTH_DEGRADED : msg::HEALTH_OK, mission_.failure());
+  if (mission_.certify()) plan_due_ = done;  // told with the plan's next refresh, at once
 }
 
 void PlannerService::read_world() {

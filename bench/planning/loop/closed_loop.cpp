@@ -165,7 +165,7 @@ class Loop {
       result_.rollouts += group.planner->rollouts();
       if (is_first) {
         result_.first_value_s = plan.forecast.expected_time_s;
-        result_.first_bound_s = plan.lower_bound_s;
+        result_.first_bound_s = group.planner->lower_bound_s();
       }
       result_.repeated += std::ranges::any_of(rejected_, [&](const auto& r) { return is_like(plan.paths, r); }) ? 1 : 0;
       promises = promises || plan.forecast.probability_found > kLeastFruit;

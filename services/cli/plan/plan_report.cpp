@@ -110,11 +110,12 @@ std::string task_text(const PlanningScenario& scenario, const TaskPlan& task) {
 }
 
 std::string search_text(const PlanningScenario& scenario, const PlannedScenario& planned) {
-  const JointPlan& plan = std::get<PlannedSearch>(planned.result).plan;
+  const auto& search = std::get<PlannedSearch>(planned.result);
+  const JointPlan& plan = search.plan;
   std::string text = format("expected time to find %.1f s; found within %.0f s: %.1f %%; ",
                             plan.forecast.expected_time_s, scenario.horizon_s, 100.0 * plan.forecast.probability_found);
-  text += plan.lower_bound_s > 0.0 ? format("no plan takes less than %.1f s\n", plan.lower_bound_s)
-                                   : "no lower bound is known\n";
+  text += search.lower_bound_s > 0.0 ? format("no plan takes less than %.1f s\n", search.lower_bound_s)
+                                     : "no lower bound is known\n";
   text += format("\n%-16s %9s %9s %9s   %s\n", "agent", "ends s", "way m", "corners", "ends at");
   for (std::size_t a = 0; a < scenario.agents.size(); ++a) {
     const TimedPath path = path_of(scenario, planned, a);
@@ -151,7 +152,7 @@ std::string plan_json(const PlanningScenario& scenario, const PlanRequest& reque
     json["value"] = plan.value_s;
     json["expected_time_s"] = plan.forecast.expected_time_s;
     json["p_found"] = plan.forecast.probability_found;
-    json["lower_bound_s"] = plan.lower_bound_s;
+    json["lower_bound_s"] = std::get<PlannedSearch>(planned.result).lower_bound_s;
   }
   json["prepare_ms"] = rounded(planned.prepare_ms);
   json["first_plan_ms"] = rounded(planned.first_plan_ms);

@@ -121,6 +121,7 @@ void plan_search(const PlanningScenario& scenario, const PlanRequest& request, c
   PlannedSearch search;
   search.plan = planner->best();
   planned.compute_ms = spent_ms();
+  search.lower_bound_s = planner->lower_bound_s();
   planned.rollouts = planner->rollouts();
   search.found = survival_of(problem, search.plan.paths, kFoundStep_s);
   for (double& probability : search.found) probability = 1.0 - probability;

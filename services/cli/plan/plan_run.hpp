@@ -23,9 +23,10 @@ struct PlanRequest {
 
 /// A plan of a search.
 struct PlannedSearch {
-  JointPlan plan;             ///< The paths end at fixed goals and the horizon.
-  std::vector<double> found;  ///< probability that all is found by 0, kFoundStep_s, ..., to the horizon
-  PicturedBelief belief;      ///< before the search, over all objects
+  JointPlan plan;              ///< The paths end at fixed goals and the horizon.
+  double lower_bound_s = 0.0;  ///< No plan has a smaller expected time; 0: not known.
+  std::vector<double> found;   ///< probability that all is found by 0, kFoundStep_s, ..., to the horizon
+  PicturedBelief belief;       ///< before the search, over all objects
 };
 
 inline constexpr double kFoundStep_s = 0.5;

@@ -156,6 +156,8 @@ TEST_F(PlannerServiceTest, APlanIsProposedThenAcceptedThenRefreshedEverySecond) 
   EXPECT_EQ(first.session(), "S01");
   ASSERT_EQ(first.paths().size(), 2U);
   EXPECT_EQ(first.paths()[0].agent(), site.robot);
+  EXPECT_GT(first.lower_bound_s(), 0.0);
+  EXPECT_LE(first.lower_bound_s(), first.value());
   ASSERT_TRUE(step_until([&] { return team_plan.newest()->message.sequence_number() > first.sequence_number(); }));
   const auto second = team_plan.newest()->message;
   EXPECT_EQ(second.id(), first.id());

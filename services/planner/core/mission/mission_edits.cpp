@@ -32,7 +32,7 @@ void SearchMission::begin_computing_anew() {
   if (begun_anew_) {
     computation_->overtaken = true;
   } else {
-    computation_.reset();
+    stop_computing();
     begun_anew_ = true;
   }
 }
@@ -130,7 +130,7 @@ void SearchMission::find_ways_around_blockages() {
 /// Finds the ways of those whom a drawn source concerns.
 void SearchMission::renew_ways(const SourceEdit& edit) {
   if (edit.kind != SourceEdit::Kind::Avoid) return;
-  computation_.reset();  // it plans on the ways that change
+  stop_computing();  // it plans on the ways that change
   if (concerns(edit, kRobot)) find_ways_around_blockages();
   if (concerns(edit, kPerson)) find_ways_anew(kPerson, kept_out_of(kPerson));
 }

@@ -166,8 +166,8 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
 /// better; nothing if none is.
 std::vector<TimedPath> SearchMission::rest_of_plan(Time now) const {
   const PlanStanding before = standing(now);
-  const bool was_under_way = before == PlanStanding::Accepted || before == PlanStanding::Superseded ||
-                             before == PlanStanding::Proposed;
+  const bool was_under_way =
+      before == PlanStanding::Accepted || before == PlanStanding::Superseded || before == PlanStanding::Proposed;
   std::vector<TimedPath> rest;
   if (!plan_ || !was_under_way) return rest;
   for (std::size_t m = 0; m < plan_->members.size(); ++m) {
@@ -235,6 +235,18 @@ void SearchMission::propose(MissionPlan plan, double duration_s, Time now) {
   plan_ = std::move(plan);
 }
 
+void SearchMission::stop_computing() {
+  computation_.reset();
+  certifiable_.reset();
+}
+
+bool SearchMission::certify() {
+  if (!certifiable_) return false;
+  plan_->lower_bound_s = certifiable_->planner->lower_bound_s();
+  certifiable_.reset();
+  return true;
+}
+
 void SearchMission::finish_plan(Time now) {
   const JointPlan joint = computation_->planner->best();
   survival_ = survival_of(computation_->problem, joint.paths, kSurvivalStep_s);
@@ -243,7 +255,6 @@ void SearchMission::finish_plan(Time now) {
             std::to_string(to_stamp_ns(now) / 1'000'000);
   plan.world_version = world_version_;
   plan.forecast = joint.forecast;
-  plan.lower_bound_s = joint.lower_bound_s;
   plan.reason = computation_->reason;
   double duration_s = 0.0;
   for (std::size_t m = 0; m < joint.paths.size(); ++m) {
@@ -262,7 +273,7 @@ void SearchMission::finish_plan(Time now) {
     person_said_where_ = false;
     person_drew_ = false;
   }
-  computation_.reset();
+  certifiable_ = std::move(computation_);
   begun_anew_ = false;
   robot_finished_ = false;
   person_reached_goal_ = false;

@@ -29,7 +29,7 @@ SearchMission::~SearchMission() = default;
 void SearchMission::set_map(OccupancyGrid map) {
   if (map_ && *map_ == map) return;
   map_ = std::move(map);
-  computation_.reset();
+  stop_computing();
   world_.reset();
   drawn_.clear();
   belief_.reset();
@@ -50,14 +50,14 @@ void SearchMission::run_session(const std::string& code, Time now) {
 
 void SearchMission::end_session() {
   running_ = false;
-  computation_.reset();
+  stop_computing();
   acceptance_.withdraw();
   if (activity_ != MissionActivity::Finished) activity_ = MissionActivity::Idle;
 }
 
 /// A new search: everything is unexplored again, nobody has asked for anything, and chance begins anew.
 void SearchMission::start_search() {
-  computation_.reset();
+  stop_computing();
   plan_.reset();
   acceptance_.clear();
   rejected_.clear();
@@ -135,7 +135,7 @@ std::optional<std::string> SearchMission::request(const PersonRequest& request, 
     rejected_.push_back(std::move(paths));
   }
   acceptance_.replan(now);
-  computation_.reset();  // what was being computed did not know of this
+  stop_computing();  // what was being computed did not know of this
   return std::nullopt;
 }
 
@@ -152,11 +152,12 @@ void SearchMission::robot_progress(const RobotProgress& progress, Time now) {
 
 void SearchMission::found() {
   activity_ = MissionActivity::Finished;
-  computation_.reset();
+  stop_computing();
   acceptance_.withdraw();
 }
 
 bool SearchMission::step(Time now, const std::function<bool()>& slice_over) {
+  certifiable_.reset();
   prepare();
   if (world_ && !computation_) {
     while (!slice_over() && world_->prepare_next()) continue;

@@ -52,7 +52,7 @@ struct MissionPlan {
   Role role = Role::LeaderFollower;
   std::vector<Member> members;
   Forecast forecast;
-  double lower_bound_s = 0.0;  ///< no plan has a smaller expected time; 0: not known
+  double lower_bound_s = 0.0;  ///< no plan has a smaller expected time; 0: not known (yet)
   std::string reason;          ///< for a new plan
   std::string explanation;     ///< why this one, for people
 };
@@ -94,6 +94,9 @@ class SearchMission {
 
   /// Computes for one slice, which ends when `slice_over` says so. Returns true when there is a new plan.
   bool step(Time now, const std::function<bool()>& slice_over);
+  /// Finds the lower bound of the plan that the last step() or conclude() gave; false if there was none. It is not part
+  /// of these, so that a plan is out first; asked for before anything else is done.
+  bool certify();
   /// Ends computing with the best plan so far; false if no plan is being computed.
   bool conclude(Time now);
 
@@ -138,6 +141,7 @@ class SearchMission {
   void begin_plan(Time now, const std::string& reason);
   void finish_plan(Time now);
   void begin_computing_anew();
+  void stop_computing();
   void forget_old_blockages(Time now);
   [[nodiscard]] std::vector<BlockedDisc> kept_out_of(std::size_t member) const;
   void find_ways_anew(std::size_t member, const std::vector<BlockedDisc>& blocked);
@@ -180,6 +184,7 @@ class SearchMission {
   Time failed_{};
 
   std::unique_ptr<Computation> computation_;
+  std::unique_ptr<Computation> certifiable_;  ///< whose plan has just come out
   std::optional<MissionPlan> plan_;
   PlanAcceptance acceptance_;
   Time proposed_{};                 ///< when what the team reads now was first shown to them

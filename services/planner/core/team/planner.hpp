@@ -27,6 +27,9 @@ class Planner {
   [[nodiscard]] virtual int rollouts() const = 0;
   /// The best plan so far.
   [[nodiscard]] virtual JointPlan best() = 0;
+  /// No plan for this problem has a smaller expected time; 0: not known. It takes time of its own, so ask for it when
+  /// the plan is out.
+  [[nodiscard]] virtual double lower_bound_s() { return 0.0; }
   /// Whether members are to tell each other what they have looked at. If not, each is to be planned for alone, from
   /// what it has seen itself.
   [[nodiscard]] virtual bool shares_looks() const { return true; }

@@ -55,8 +55,7 @@ struct JointPlan {
   /// Per member, when it is at its fixed goal; infinite without one. What it is told ends there (digest H1).
   std::vector<double> goal_reached_s;
   Forecast forecast;
-  double value_s = 0.0;        ///< Expected time, and a penalty if it is like a rejected plan; lower is better.
-  double lower_bound_s = 0.0;  ///< No plan has a smaller expected time; 0: not known.
+  double value_s = 0.0;  ///< Expected time, and a penalty if it is like a rejected plan; lower is better.
 };
 
 /// So near to it a goal is reached [m].

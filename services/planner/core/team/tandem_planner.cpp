@@ -164,10 +164,12 @@ JointPlan TandemPlanner::best() {
     incumbent_ = best_;
     incumbent_s_ = exact_s;
   }
-  JointPlan plan = problem_->plan(incumbent_);
-  if (!bound_s_) bound_s_ = lower_bound_s(*problem_);
-  plan.lower_bound_s = *bound_s_;
-  return plan;
+  return problem_->plan(incumbent_);
+}
+
+double TandemPlanner::lower_bound_s() {
+  if (!bound_s_) bound_s_ = tandem::lower_bound_s(*problem_);
+  return *bound_s_;
 }
 
 }  // namespace tandem

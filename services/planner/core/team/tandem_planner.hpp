@@ -33,6 +33,7 @@ class TandemPlanner final : public Planner {
   void run(int rollouts, const std::function<bool()>& stop) override;
   [[nodiscard]] int rollouts() const override { return rollouts_; }
   [[nodiscard]] JointPlan best() override;
+  [[nodiscard]] double lower_bound_s() override;
 
  private:
   void take_seed(Routes routes);

@@ -43,6 +43,17 @@ TEST_F(SearchMissionTest, ComputesInSlices) {
   EXPECT_EQ(mission.activity(), MissionActivity::Idle);
 }
 
+TEST_F(SearchMissionTest, APlanIsOutBeforeItsLowerBoundIsFound) {
+  run();
+  EXPECT_FALSE(mission.certify());
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(mission.plan()->lower_bound_s, 0.0);
+  EXPECT_TRUE(mission.certify());
+  EXPECT_GT(mission.plan()->lower_bound_s, 0.0);
+  EXPECT_LE(mission.plan()->lower_bound_s, mission.plan()->forecast.expected_time_s);
+  EXPECT_FALSE(mission.certify());  // once is enough
+}
+
 TEST_F(SearchMissionTest, ReplanRejectsTheProposalAndTheNextPlanDiffers) {
   run();
   ASSERT_TRUE(plan());
