@@ -64,9 +64,7 @@ std::optional<int> ActionSet::add_place(const Vector2d& point_in_map, double rea
 }
 
 std::vector<int> ActionSet::near_lookouts(int from) {
-  std::vector<int> near;
-  for (const RoadGraph::Road& road : roads_.roads(from)) near.push_back(road.to);
-  return near;
+  return roads_.ends(from);
 }
 
 const std::vector<int>& ActionSet::nearest_lookouts(int from) {
@@ -100,10 +98,10 @@ const Leg& ActionSet::leg(int from, int to) {
 
 bool ActionSet::is_near(int from, int to) {
   if (from >= lookouts() && to >= lookouts()) return is_connected(from, to);
-  const auto leads_to = [](const std::vector<RoadGraph::Road>& roads, int place) {
-    return std::ranges::find(roads, place, &RoadGraph::Road::to) != roads.end();
+  const auto leads_to = [&](int place, int other) {
+    return std::ranges::find(roads_.ends(place), other) != roads_.ends(place).end();
   };
-  return leads_to(roads_.roads(from), to) || (to >= lookouts() && leads_to(roads_.roads(to), from));
+  return leads_to(from, to) || (to >= lookouts() && leads_to(to, from));
 }
 
 std::vector<int> ActionSet::joined(int from, std::span<const int> places) {

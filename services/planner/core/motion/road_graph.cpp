@@ -21,6 +21,7 @@ RoadGraph::RoadGraph(const MotionMap& motion, std::vector<int> lookouts, int nea
       nodes_(std::move(lookouts)),
       place_at_(static_cast<std::size_t>(motion.size()), -1),
       roads_(nodes_.size()),
+      ends_(nodes_.size()),
       roads_known_(nodes_.size(), false),
       search_(motion),
       reached_in_(nodes_.size(), 0),
@@ -32,6 +33,7 @@ RoadGraph::RoadGraph(const MotionMap& motion, std::vector<int> lookouts, int nea
 int RoadGraph::add_place(int node) {
   nodes_.push_back(node);
   roads_.emplace_back();
+  ends_.emplace_back();
   roads_known_.push_back(false);
   return static_cast<int>(nodes_.size()) - 1;
 }
@@ -40,6 +42,7 @@ void RoadGraph::forget_added_places() {
   const auto count = static_cast<std::size_t>(lookouts_);
   nodes_.resize(count);
   roads_.resize(count);
+  ends_.resize(count);
   roads_known_.resize(count);
   rows_.erase(rows_.lower_bound(lookouts_), rows_.end());
   added_roads_.clear();
@@ -56,9 +59,15 @@ const std::vector<RoadGraph::Road>& RoadGraph::roads(int place) {
     const int there = place_at_[static_cast<std::size_t>(reached)];
     if (there < 0 || there == place) return true;
     roads_[p].push_back({there, cost_m, search_.nodes_to(reached)});
+    ends_[p].push_back(there);
     return roads_[p].size() < most;
   });
   return roads_[p];
+}
+
+const std::vector<std::int32_t>& RoadGraph::ends(int place) {
+  (void)roads(place);
+  return ends_[static_cast<std::size_t>(place)];
 }
 
 const RoadGraph::Road& RoadGraph::road_between_added(int from, int to) {

@@ -37,6 +37,8 @@ class RoadGraph {
 
   /// The lookouts nearest to `place` and the ways there, itself not among them, the nearest first.
   [[nodiscard]] const std::vector<Road>& roads(int place);
+  /// Where they lead, packed for those who ask often.
+  [[nodiscard]] const std::vector<std::int32_t>& ends(int place);
   /// The cost of the way from one place to another [m], infinite if there is none.
   [[nodiscard]] double cost_m(int from, int to);
   /// Reaches lookouts from `from` over roads in the order of their cost, and calls `reached` with each, `from` itself
@@ -69,6 +71,7 @@ class RoadGraph {
   std::vector<int> nodes_;              ///< per place
   std::vector<std::int32_t> place_at_;  ///< per node its place, -1 none
   std::vector<std::vector<Road>> roads_;
+  std::vector<std::vector<std::int32_t>> ends_;  ///< of the roads
   std::vector<bool> roads_known_;
   std::map<int, std::vector<float>> rows_;
   std::map<std::pair<int, int>, Road> added_roads_;

@@ -9,6 +9,10 @@ namespace {
 constexpr std::size_t kLargestChange = 24;  ///< legs
 constexpr std::int32_t kFixed = 0;          ///< the visit that stands for what is seen whatever the routes
 
+LegCells cells_of(const CompactLeg& leg) {
+  return {leg.cells.data(), leg.enter_s.data(), leg.cells.size()};
+}
+
 }  // namespace
 
 ChangeEstimate::ChangeEstimate(const TeamGround& ground)
@@ -19,8 +23,7 @@ ChangeEstimate::ChangeEstimate(const TeamGround& ground)
       fixed_first_s_(ground.mass.size(), end_s_),
       legs_(ground.books.size()),
       seen_(ground.mass.size()),
-      sights_(ground.mass.size()),
-      trial_first_s_(ground.mass.size()),
+      times_(ground.mass.size()),
       touched_in_(ground.mass.size(), 0) {
   for (const Look& look : ground.problem->fixed_looks()) {
     for (std::size_t i = 0; i < look.seen->size(); ++i) {
@@ -49,38 +52,56 @@ std::int32_t ChangeEstimate::add_visit(const CompactLeg& leg, double start_s) {
 }
 
 void ChangeEstimate::sort_out(std::size_t cell) {
-  Seen first{kFixed, fixed_first_s_[cell]};
-  Seen second{kFixed, end_s_};
-  float first_s = first.enter_s;
+  std::int32_t first = kFixed;
+  std::int32_t second = kFixed;
+  float first_s = fixed_first_s_[cell];
   float second_s = end_s_;
   for (const Seen& seen : seen_[cell]) {
     const float seen_s = time_s(seen);
     if (seen_s < first_s) {
-      if (seen.visit != first.visit) {
+      if (seen.visit != first) {
         second = first;
         second_s = first_s;
       }
-      first = seen;
+      first = seen.visit;
       first_s = seen_s;
-    } else if (seen_s < second_s && seen.visit != first.visit) {
-      second = seen;
+    } else if (seen_s < second_s && seen.visit != first) {
+      second = seen.visit;
       second_s = seen_s;
     }
   }
-  sights_[cell] = {first, second};
-  visits_[static_cast<std::size_t>(first.visit)].first_mass += ground_->mass[cell];
+  times_.first[cell] = first;
+  times_.first_s[cell] = first_s;
+  times_.second[cell] = second;
+  times_.second_s[cell] = second_s;
+  visits_[static_cast<std::size_t>(first)].first_mass += ground_->mass[cell];
 }
 
 void ChangeEstimate::sort_in(std::size_t cell, const Seen& seen) {
-  Sight& sight = sights_[cell];
   const float seen_s = time_s(seen);
-  if (seen_s < time_s(sight.first)) {
-    visits_[static_cast<std::size_t>(sight.first.visit)].first_mass -= ground_->mass[cell];
+  if (seen_s < times_.first_s[cell]) {
+    visits_[static_cast<std::size_t>(times_.first[cell])].first_mass -= ground_->mass[cell];
     visits_[static_cast<std::size_t>(seen.visit)].first_mass += ground_->mass[cell];
-    sight.second = sight.first;
-    sight.first = seen;
-  } else if (seen_s < time_s(sight.second)) {
-    sight.second = seen;
+    times_.second[cell] = times_.first[cell];
+    times_.second_s[cell] = times_.first_s[cell];
+    times_.first[cell] = seen.visit;
+    times_.first_s[cell] = seen_s;
+  } else if (seen_s < times_.second_s[cell]) {
+    times_.second[cell] = seen.visit;
+    times_.second_s[cell] = seen_s;
+  }
+}
+
+void ChangeEstimate::shift(std::int32_t visit) {
+  const CompactLeg& leg = *visits_[static_cast<std::size_t>(visit)].leg;
+  for (std::size_t i = 0; i < leg.cells.size(); ++i) {
+    const auto cell = static_cast<std::size_t>(leg.cells[i]);
+    if (times_.first[cell] == visit) times_.first_s[cell] = time_s({visit, leg.enter_s[i]});
+    if (times_.second[cell] == visit) times_.second_s[cell] = time_s({visit, leg.enter_s[i]});
+    if (times_.first_s[cell] <= times_.second_s[cell] || touched_in_[cell] == pass_) continue;
+    touched_in_[cell] = pass_;
+    touched_.push_back(cell);
+    visits_[static_cast<std::size_t>(times_.first[cell])].first_mass -= ground_->mass[cell];
   }
 }
 
@@ -112,7 +133,7 @@ void ChangeEstimate::rebase(const Routes& routes) {
       place = next;
     }
   }
-  for (std::size_t cell = 0; cell < sights_.size(); ++cell) sort_out(cell);
+  for (std::size_t cell = 0; cell < times_.first.size(); ++cell) sort_out(cell);
   sum_up();
 }
 
@@ -121,14 +142,17 @@ std::optional<double> ChangeEstimate::change_s(const Routes& trial) {
   for (std::size_t m = 0; m < trial.size(); ++m) {
     if (!find_change(m, trial[m])) return std::nullopt;
   }
-  ++pass_;
   double later = 0.0;
   at_stake_ = 0.0;
   for (const Change& change : changes_) {
     const std::vector<std::int32_t>& legs = legs_[change.member];
     if (change.first < legs.size()) at_stake_ += visits_[static_cast<std::size_t>(legs[change.first])].later_mass;
   }
-  for (Change& change : changes_) later += later_by(change, trial[change.member]);
+  new_legs_.clear();
+  for (Change& change : changes_) fetch(change, trial[change.member]);
+  for (const Change& change : changes_) later += later_without(change);
+  for (Change& change : changes_) later -= sooner_with(change);
+  overwritten_.put_back(times_.first_s);
   return later / total_;
 }
 
@@ -148,6 +172,7 @@ bool ChangeEstimate::find_change(std::size_t member, const std::vector<int>& tri
                 static_cast<std::size_t>(base_to - base.begin()),
                 from,
                 static_cast<std::size_t>(trial_to - trial.begin()),
+                0,
                 0.0,
                 0.0};
   if (change.last - change.first > kLargestChange || change.to - change.from > kLargestChange) return false;
@@ -160,76 +185,58 @@ bool ChangeEstimate::find_change(std::size_t member, const std::vector<int>& tri
   return true;
 }
 
-double ChangeEstimate::later_by(Change& change, const std::vector<int>& trial) {
+void ChangeEstimate::fetch(Change& change, const std::vector<int>& trial) {
   const std::vector<std::int32_t>& legs = legs_[change.member];
-  // Plain pointers: what is written below could be what vectors point with, as far as the compiler knows.
-  const float* mass = ground_->mass.data();
-  const Sight* sights = sights_.data();
-  const float* start_s = start_s_.data();
-  float* trial_first_s = trial_first_s_.data();
-  std::uint32_t* touched_in = touched_in_.data();
-  const std::uint32_t pass = pass_;
-  const float horizon_s = horizon_s_;
-  const float end_s = end_s_;
-  const auto time_of = [=](const Seen& seen) {
-    const float at_s = start_s[seen.visit] + seen.enter_s;
-    return at_s < horizon_s ? at_s : end_s;
+  const auto fetch_cells = [](const CompactLeg& leg) {
+    __builtin_prefetch(leg.cells.data());
+    __builtin_prefetch(leg.enter_s.data());
   };
-  const auto first_of_trial = [=](std::int32_t cell) {
-    return touched_in[cell] == pass ? trial_first_s[cell] : time_of(sights[cell].first);
-  };
-  double later = 0.0;
   for (std::size_t k = change.first; k < change.last; ++k) {
-    float later_by_leg = 0.0F;
-    for (const std::int32_t cell : visits_[static_cast<std::size_t>(legs[k])].leg->cells) {
-      if (sights[cell].first.visit != legs[k]) continue;
-      const float first_s = first_of_trial(cell);
-      const float second_s = time_of(sights[cell].second);
-      if (first_s >= second_s) continue;
-      later_by_leg += mass[cell] * (second_s - first_s);
-      trial_first_s[cell] = second_s;
-      touched_in[cell] = pass;
-    }
-    later += later_by_leg;
+    fetch_cells(*visits_[static_cast<std::size_t>(legs[k])].leg);
   }
-  const PreparedProblem::Member& who = ground_->problem->members()[change.member];
-  LegBook& book = *ground_->books[change.member];
-  double now_s = who.start_s;
-  int place = who.start;
-  if (change.first > 0) {
-    const auto before = static_cast<std::size_t>(legs[change.first - 1]);
-    now_s = static_cast<double>(start_s[before]) + visits_[before].leg->duration_s;
-    place = trial[change.first - 1];
-  }
-  change.start_s = now_s;
+  change.new_leg = new_legs_.size();
+  int place = change.first > 0 ? trial[change.first - 1] : ground_->problem->members()[change.member].start;
   for (std::size_t k = change.from; k < change.to; ++k) {
-    const CompactLeg& leg = book.leg(place, trial[k]);
-    const auto leg_start_s = static_cast<float>(now_s);
-    const std::int32_t* cells = leg.cells.data();
-    const float* enter_s = leg.enter_s.data();
-    float sooner_by_leg = 0.0F;
-    for (std::size_t i = 0, count = leg.cells.size(); i < count; ++i) {
-      const std::int32_t cell = cells[i];
-      const float seen_s = leg_start_s + enter_s[i];
-      const float first_s = first_of_trial(cell);
-      if (seen_s >= first_s || seen_s >= horizon_s) continue;
-      sooner_by_leg += mass[cell] * (first_s - seen_s);
-      touched_in[cell] = pass;
-      trial_first_s[cell] = seen_s;
-    }
-    later -= sooner_by_leg;
-    now_s += leg.duration_s;
+    new_legs_.push_back(&ground_->books[change.member]->leg(place, trial[k]));
+    fetch_cells(*new_legs_.back());
     place = trial[k];
   }
-  if (change.last < legs.size()) {
-    const auto behind = static_cast<std::size_t>(legs[change.last]);
-    change.delay_s = now_s - start_s_[behind];
-    later += change.delay_s * visits_[behind].later_mass;
+}
+
+double ChangeEstimate::later_without(const Change& change) {
+  double later = 0.0;
+  for (std::size_t k = change.first; k < change.last; ++k) {
+    const std::int32_t visit = legs_[change.member][k];
+    const CompactLeg& leg = *visits_[static_cast<std::size_t>(visit)].leg;
+    later += take_later(cells_of(leg), visit, ground_->mass, times_, overwritten_);
   }
   return later;
 }
 
-void ChangeEstimate::replace_visits(const Change& change, const std::vector<int>& trial) {
+double ChangeEstimate::sooner_with(Change& change) {
+  const std::vector<std::int32_t>& legs = legs_[change.member];
+  const PreparedProblem::Member& who = ground_->problem->members()[change.member];
+  double now_s = who.start_s;
+  if (change.first > 0) {
+    const auto before = static_cast<std::size_t>(legs[change.first - 1]);
+    now_s = static_cast<double>(start_s_[before]) + visits_[before].leg->duration_s;
+  }
+  change.start_s = now_s;
+  double sooner = 0.0;
+  for (std::size_t k = change.from; k < change.to; ++k) {
+    const CompactLeg& leg = *new_legs_[change.new_leg + k - change.from];
+    sooner += take_sooner(cells_of(leg), static_cast<float>(now_s), horizon_s_, ground_->mass, times_, overwritten_);
+    now_s += leg.duration_s;
+  }
+  if (change.last < legs.size()) {
+    const auto behind = static_cast<std::size_t>(legs[change.last]);
+    change.delay_s = now_s - start_s_[behind];
+    sooner -= change.delay_s * visits_[behind].later_mass;
+  }
+  return sooner;
+}
+
+void ChangeEstimate::replace_visits(const Change& change) {
   std::vector<std::int32_t>& legs = legs_[change.member];
   for (std::size_t k = change.first; k < change.last; ++k) {
     for (const std::int32_t c : visits_[static_cast<std::size_t>(legs[k])].leg->cells) {
@@ -237,12 +244,11 @@ void ChangeEstimate::replace_visits(const Change& change, const std::vector<int>
       const auto seen = std::ranges::find(seen_[cell], legs[k], &Seen::visit);
       *seen = seen_[cell].back();
       seen_[cell].pop_back();
-      const Sight& sight = sights_[cell];
-      const bool counted = sight.first.visit == legs[k] || sight.second.visit == legs[k];
+      const bool counted = times_.first[cell] == legs[k] || times_.second[cell] == legs[k];
       if (!counted || touched_in_[cell] == pass_) continue;
       touched_in_[cell] = pass_;
       touched_.push_back(cell);
-      visits_[static_cast<std::size_t>(sight.first.visit)].first_mass -= ground_->mass[cell];
+      visits_[static_cast<std::size_t>(times_.first[cell])].first_mass -= ground_->mass[cell];
     }
     free_.push_back(legs[k]);
   }
@@ -250,16 +256,15 @@ void ChangeEstimate::replace_visits(const Change& change, const std::vector<int>
                                 legs.begin() + static_cast<std::ptrdiff_t>(change.last));
   auto into = begin - legs.begin();
   double now_s = change.start_s;
-  int place = change.first > 0 ? trial[change.first - 1] : ground_->problem->members()[change.member].start;
   for (std::size_t k = change.from; k < change.to; ++k) {
-    const CompactLeg& leg = ground_->books[change.member]->leg(place, trial[k]);
+    const CompactLeg& leg = *new_legs_[change.new_leg + k - change.from];
     new_visits_.push_back(add_visit(leg, now_s));
     legs.insert(legs.begin() + into++, new_visits_.back());
     now_s += leg.duration_s;
-    place = trial[k];
   }
   for (auto k = static_cast<std::size_t>(into); k < legs.size(); ++k) {
     start_s_[static_cast<std::size_t>(legs[k])] += static_cast<float>(change.delay_s);
+    shift(legs[k]);
   }
 }
 
@@ -268,7 +273,7 @@ void ChangeEstimate::accept(const Routes& trial) {
   touched_.clear();
   new_visits_.clear();
   for (const Change& change : changes_) {
-    replace_visits(change, trial[change.member]);
+    replace_visits(change);
     base_[change.member] = trial[change.member];
   }
   for (const std::size_t cell : touched_) sort_out(cell);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "services/planner/core/team/sight_times.hpp"
 #include "services/planner/core/team/team_ground.hpp"
 
 namespace tandem {
@@ -40,10 +41,6 @@ class ChangeEstimate {
     std::int32_t visit;
     float enter_s;  ///< from its start
   };
-  struct Sight {
-    Seen first;
-    Seen second;  ///< of another visit
-  };
   /// A member's legs `first` .. `last` - 1 are replaced by those to the places `from` .. `to` - 1 of the trial.
   struct Change {
     std::size_t member;
@@ -51,10 +48,12 @@ class ChangeEstimate {
     std::size_t last;
     std::size_t from;
     std::size_t to;
-    double start_s;  ///< when the first leg begins
-    double delay_s;  ///< of what comes behind
+    std::size_t new_leg;  ///< the first of them in new_legs_
+    double start_s;       ///< when the first leg begins
+    double delay_s;       ///< of what comes behind
   };
 
+  /// When a visit shows a cell; what it shows at the horizon or later it never shows.
   [[nodiscard]] float time_s(const Seen& seen) const {
     const float at_s = start_s_[static_cast<std::size_t>(seen.visit)] + seen.enter_s;
     return at_s < horizon_s_ ? at_s : end_s_;
@@ -64,10 +63,17 @@ class ChangeEstimate {
   void sort_out(std::size_t cell);
   /// The same, if only this one came.
   void sort_in(std::size_t cell, const Seen& seen);
+  /// Moves what a visit shows to its new start.
+  void shift(std::int32_t visit);
   void sum_up();
   [[nodiscard]] bool find_change(std::size_t member, const std::vector<int>& trial);
-  [[nodiscard]] double later_by(Change& change, const std::vector<int>& trial);
-  void replace_visits(const Change& change, const std::vector<int>& trial);
+  /// Finds the legs of a change and has the processor load them, all before the first is needed.
+  void fetch(Change& change, const std::vector<int>& trial);
+  /// Takes the old legs of a change out: how much later that is [s], times the mass.
+  [[nodiscard]] double later_without(const Change& change);
+  /// Puts the new ones in: how much sooner that is [s], times the mass. Finds when they begin and end, too.
+  [[nodiscard]] double sooner_with(Change& change);
+  void replace_visits(const Change& change);
 
   const TeamGround* ground_;
   float end_s_ = 0.0F;
@@ -80,10 +86,11 @@ class ChangeEstimate {
   std::vector<float> start_s_;                   ///< per visit
   std::vector<std::int32_t> free_;               ///< visits
   std::vector<std::vector<Seen>> seen_;          ///< per cell by whom
-  std::vector<Sight> sights_;                    ///< per cell
-  std::vector<Change> changes_;                  ///< of the last trial
+  SightTimes times_;
+  Overwritten overwritten_;                  ///< of times_, while a trial is judged
+  std::vector<Change> changes_;              ///< of the last trial
+  std::vector<const CompactLeg*> new_legs_;  ///< of the last trial
   double at_stake_ = 0.0;
-  std::vector<float> trial_first_s_;       ///< per cell, of this trial
   std::vector<std::uint32_t> touched_in_;  ///< per cell, the last pass that touched it
   std::uint32_t pass_ = 0;
   std::vector<std::size_t> touched_;      ///< cells of which who was first or second is gone

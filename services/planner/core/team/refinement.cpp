@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tandem {
 namespace {
@@ -13,6 +14,7 @@ constexpr double kHeating = 3.0;     ///< after a cycle that found nothing bette
 constexpr double kHottest = 4.0;     ///< times the warmth at first
 constexpr int kMovesOfLookout = 75;  ///< in the first cycle, for each member
 constexpr int kMostFruitless = 2;    ///< cycles
+constexpr int kMovesOfWarmth = 16;   ///< made at one temperature
 constexpr int kMostDrift = 200;      ///< changes accepted by estimate until the value is made exact again
 
 auto at(std::vector<int>& places, std::size_t position) {
@@ -66,6 +68,7 @@ bool Refinement::improve(int moves, Rng& rng) {
   } kMoves[] = {{Move::Replace, 0.23}, {Move::Relocate, 0.23}, {Move::Insert, 0.12}, {Move::Remove, 0.12},
                 {Move::Piece, 0.12},   {Move::Reverse, 0.10},  {Move::Swap, 0.05},   {Move::Tails, 0.03}};
   const double before_s = best_s_;
+  double warmth = 0.0;
   for (int i = 0; i < moves; ++i, ++in_cycle_) {
     if (in_cycle_ == cycle_) {
       const bool is_fruitful = best_s_ < best_before_s_ - 1e-9;
@@ -76,21 +79,25 @@ bool Refinement::improve(int moves, Rng& rng) {
       cycle_ *= 2;
       take(best_, best_s_);
     }
+    if (i % kMovesOfWarmth == 0) warmth = warmth_now();
     double u = rng.uniform();
     std::size_t kind = 0;
     while (kind + 1 < std::size(kMoves) && u >= kMoves[kind].share) u -= kMoves[kind++].share;
     trial_ = current_;
     if (!make_trial(kMoves[kind].move, rng) || !join(rng)) continue;
-    const double progress = static_cast<double>(in_cycle_) / static_cast<double>(cycle_);
-    const double warmth = heat_ * options_.warmth;
-    const double temperature_s = best_s_ * warmth * std::pow(options_.coldness / warmth, progress);
-    judge(temperature_s, rng.uniform());
+    judge(best_s_ * warmth, rng.uniform());
   }
   if (drifted_ > 0 && current_s_ < best_s_ - 1e-9) {
     current_s_ = value_->value_s(current_);
     keep_best();
   }
   return best_s_ < before_s;
+}
+
+double Refinement::warmth_now() const {
+  const double progress = static_cast<double>(in_cycle_) / static_cast<double>(cycle_);
+  const double warmest = heat_ * options_.warmth;
+  return warmest * std::pow(options_.coldness / warmest, progress);
 }
 
 bool Refinement::is_stuck() const {
@@ -130,24 +137,22 @@ bool Refinement::is_longer() const {
   return places > before;
 }
 
-bool Refinement::is_joined(std::size_t member, std::size_t position) const {
+bool Refinement::is_walk(std::size_t member) const {
   const std::vector<int>& route = trial_[member];
   const std::vector<int>& before = current_[member];
-  const auto is_leg_of_before = [&](std::size_t at) {
-    return at < before.size() && route[position] == before[at] &&
-           (position == 0 ? at == 0 : at > 0 && route[position - 1] == before[at - 1]);
-  };
-  // Behind a change of length, the legs stand as far from the end as before.
-  if (is_leg_of_before(position) || is_leg_of_before(position + before.size() - route.size())) return true;
-  const int from = position == 0 ? ground_->problem->members()[member].start : route[position - 1];
-  return ground_->books[member]->actions().is_near(from, route[position]);
+  // Only legs between what stayed at the beginning and what stayed at the end are new.
+  const auto begin = std::ranges::mismatch(route, before).in1;
+  auto end = route.end();
+  for (auto old = before.end(); end != begin && old != before.begin() && end[-1] == old[-1]; --old) --end;
+  if (end != route.end()) ++end;
+  ActionSet& actions = ground_->books[member]->actions();
+  int from = begin == route.begin() ? ground_->problem->members()[member].start : begin[-1];
+  return std::all_of(begin, end, [&](int to) { return actions.is_near(std::exchange(from, to), to); });
 }
 
 bool Refinement::join(Rng& rng) {
   for (std::size_t m = 0; m < trial_.size(); ++m) {
-    bool is_walk = true;
-    for (std::size_t i = 0; i < trial_[m].size() && is_walk; ++i) is_walk = is_joined(m, i);
-    if (is_walk) continue;
+    if (is_walk(m)) continue;
     if (rng.uniform() >= options_.far_legs) return false;
     trial_[m] = ground_->books[m]->actions().joined(ground_->problem->members()[m].start, trial_[m]);
   }

@@ -48,8 +48,10 @@ class Refinement {
   bool make_trial(Move move, Rng& rng);
   /// Makes the trial a walk over near legs; false if it is none and may not be made one.
   bool join(Rng& rng);
-  /// Whether the trial's leg to a position is one of the current routes, or a near one.
-  [[nodiscard]] bool is_joined(std::size_t member, std::size_t position) const;
+  /// Whether the trial's route of a member is a walk over near legs, as the current one is.
+  [[nodiscard]] bool is_walk(std::size_t member) const;
+  /// How much worse a move may be to be taken with 1/e, as a share of the value.
+  [[nodiscard]] double warmth_now() const;
   /// Keeps the current routes, whose value is exact, if they are the best so far.
   void keep_best();
   /// Whether the trial has more places than the current routes.

@@ -9,7 +9,7 @@
 namespace tandem {
 namespace {
 
-constexpr double kLookoutShareOfView = 0.8;
+constexpr double kLookoutShareOfView = 1.0;
 
 }  // namespace
 

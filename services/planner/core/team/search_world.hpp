@@ -13,7 +13,7 @@ namespace tandem {
 struct SearchWorldOptions {
   SearchAreaOptions area;
   std::vector<Searcher> searchers;      ///< At least one.
-  std::vector<double> lookout_range_m;  ///< Of each searcher; empty: 0.8 of its view.
+  std::vector<double> lookout_range_m;  ///< Of each searcher; empty: its view.
   double least_gain_share = 0.0625;     ///< What a lookout must add, as a share of the disc of its range.
   int nearest = 16;                     ///< See ActionSetOptions.
 };
