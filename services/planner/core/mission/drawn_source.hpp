@@ -23,11 +23,12 @@ struct SourceEdit {
 
 /// Why nothing can be made of the edit by a team of `agents`, for people; none if something can.
 ///
-/// The search planner keeps a member out of a place, and sends one to a place. It has no means to prefer ways through a
-/// place or behind somebody; such edits are refused rather than drawn without effect.
+/// The search planner keeps a member out of a place, sends one to a place, or through a place. It has no means to keep
+/// one behind somebody; such an edit is refused rather than drawn without effect.
 [[nodiscard]] std::optional<std::string> problem_of(const SourceEdit& edit, std::span<const std::string> agents);
 
-/// The edit as a reward source: a place to go to pays once, one to avoid costs for as long as one is in it.
+/// The edit as a reward source: a place to go to or to pass through pays once, one to avoid costs for as long as one is
+/// in it.
 [[nodiscard]] RewardSource drawn_source(const SourceEdit& edit);
 
 /// Discs that cover a shape of finite size and reach no further out of it than half a metre, or a thirtieth of a large

@@ -45,7 +45,9 @@ std::optional<std::string> SearchMission::edit_source(const SourceEdit& edit, Ti
   if (std::ranges::find(current, edit.source_id, &RewardSource::id) != current.end() || edit.source_id == kFoundId) {
     return "there is a source of this id already";
   }
-  auto refusal = edit.kind == SourceEdit::Kind::GoTo ? go_to(edit, now) : keep_out(edit);
+  auto refusal = edit.kind == SourceEdit::Kind::GoTo          ? go_to(edit, now)
+                 : edit.kind == SourceEdit::Kind::PassThrough ? pass_through(edit)
+                                                              : keep_out(edit);
   if (refusal) return refusal;
   if (edit.who == agents_[kPerson]) knowledge_->learns(edit.source_id);
   if (edit.kind == SourceEdit::Kind::Avoid && plan_enters(edit, now)) acceptance_.withdraw();
@@ -67,12 +69,15 @@ std::vector<RewardSource> SearchMission::sources() const {
 std::vector<Relation> SearchMission::relations() const {
   std::vector<Relation> relations;
   for (const SourceEdit& drawn : drawn_) {
-    if (drawn.kind != SourceEdit::Kind::GoTo) continue;
-    Relation one_thing;
-    one_thing.kind = RelationKind::Codependent;
-    one_thing.from = drawn.source_id;
-    one_thing.to = goal_source(drawn.targets.front(), Vector2d::Zero(), config_.goal_reach_m).id;
-    relations.push_back(one_thing);
+    const bool goes_to = drawn.kind == SourceEdit::Kind::GoTo;
+    if (!goes_to && drawn.kind != SourceEdit::Kind::PassThrough) continue;
+    const std::string& target = drawn.targets.front();
+    if (!goals_[target == agents_[kRobot] ? kRobot : kPerson]) continue;
+    Relation relation;
+    relation.kind = goes_to ? RelationKind::Codependent : RelationKind::Soft;
+    relation.from = drawn.source_id;
+    relation.to = goal_source(target, Vector2d::Zero(), config_.goal_reach_m).id;
+    relations.push_back(relation);
   }
   return relations;
 }

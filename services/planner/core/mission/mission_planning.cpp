@@ -152,6 +152,7 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
     }
     searchers.push_back(searcher);
     problem.members.push_back(member_of_plan(member, now));
+    lead_through(problem.members.back());
   }
   problem.tail_s = world_->sweep_time_s(searchers);
   const Rng rng{static_cast<std::uint64_t>(config_.seed) + 1'000'003 * plans_};

@@ -112,7 +112,8 @@ class SearchMission {
   [[nodiscard]] const std::string& agent(std::size_t member) const { return agents_[member]; }
   /// The goals, and what has been drawn.
   [[nodiscard]] std::vector<RewardSource> sources() const;
-  /// A drawn place to go to is one thing with the goal it makes.
+  /// A drawn place to go to is one thing with the goal it makes; one to pass through pays only before the goal of
+  /// whoever is to pass.
   [[nodiscard]] std::vector<Relation> relations() const;
   /// None before map and robot are known.
   [[nodiscard]] const SearchArea* area() const { return world_ ? &world_->area() : nullptr; }
@@ -146,6 +147,12 @@ class SearchMission {
   [[nodiscard]] bool gets_somewhere(std::size_t member);
   [[nodiscard]] std::optional<std::string> keep_out(const SourceEdit& edit);
   [[nodiscard]] std::optional<std::string> go_to(const SourceEdit& edit, Time now);
+  [[nodiscard]] std::optional<std::string> pass_through(const SourceEdit& edit);
+  [[nodiscard]] std::optional<Eigen::Vector2d> floor_in(const PlanarShape& region) const;
+  [[nodiscard]] std::optional<std::vector<Eigen::Vector2d>> way_between(std::size_t member, const Eigen::Vector2d& from,
+                                                                        const Eigen::Vector2d& to) const;
+  void lead_through(SearchMember& who) const;
+  void drop_passed_places();
   [[nodiscard]] std::optional<std::string> remove_source(const std::string& id);
   [[nodiscard]] bool concerns(const SourceEdit& edit, std::size_t member) const;
   void forget_drawn_goals(std::size_t member);

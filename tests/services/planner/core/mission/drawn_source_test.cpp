@@ -43,14 +43,24 @@ TEST(DrawnSource, APlaceToGoToPaysOnce) {
   EXPECT_DOUBLE_EQ(source.pool, 1.0);
 }
 
+TEST(DrawnSource, APlaceToPassThroughPaysOnce) {
+  SourceEdit through = edit(Kind::PassThrough, {"robot"});
+  through.strength = "very";
+  EXPECT_EQ(problem_of(through, kTeam), std::nullopt);
+  const RewardSource source = drawn_source(through);
+  EXPECT_DOUBLE_EQ(rate_at(source, {1, 1}), 3.0);
+  EXPECT_DOUBLE_EQ(source.pool, 1.0);
+  EXPECT_FALSE(is_target(source, "person"));
+}
+
 TEST(DrawnSource, OneMustBeSentOnly) {
   EXPECT_EQ(problem_of(edit(Kind::GoTo, {"person"}), kTeam), std::nullopt);
   EXPECT_TRUE(problem_of(edit(Kind::GoTo), kTeam));
   EXPECT_TRUE(problem_of(edit(Kind::GoTo, {"person", "robot"}), kTeam));
+  EXPECT_TRUE(problem_of(edit(Kind::PassThrough), kTeam));
 }
 
 TEST(DrawnSource, WhatCannotBeHonouredIsRefusedWithAReason) {
-  EXPECT_TRUE(problem_of(edit(Kind::PassThrough), kTeam));
   EXPECT_TRUE(problem_of(edit(Kind::StayBehind), kTeam));
   EXPECT_EQ(problem_of(edit(Kind::Avoid, {"drone"}), kTeam), "nobody in the team is called drone");
   SourceEdit nameless = edit(Kind::Remove);
