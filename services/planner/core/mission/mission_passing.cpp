@@ -1,8 +1,10 @@
-// The part of SearchMission that leads members through places which a person drew for them to pass through.
+// The part of SearchMission that leads members as a person drew: through places, and the robot behind them.
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
-#include "services/planner/core/mission/search_mission.hpp"
+#include "services/planner/core/mission/computation.hpp"
 
 namespace tandem {
 namespace {
@@ -11,6 +13,12 @@ using Eigen::Vector2d;
 
 constexpr double kStartReach_m = 3.0;
 constexpr double kPlaceReach_m = 0.5;
+constexpr double kFar_m = 1e5;     ///< a disc of this radius is a half-plane on any map
+constexpr double kBehind_m = 1.5;  ///< where the robot goes that was ahead
+
+Vector2d direction_of(const Pose2& pose) {
+  return {std::cos(pose.heading), std::sin(pose.heading)};
+}
 
 /// `path`, then `way` at the pace of `searcher`.
 void append_way(TimedPath& path, const std::vector<Vector2d>& way, const Searcher& searcher, double heading_rad) {
@@ -87,6 +95,61 @@ void SearchMission::drop_passed_places() {
     return seen && contains(drawn.region, seen->map_from_agent.position());
   };
   if (std::erase_if(drawn_, is_passed) > 0) ++world_version_;
+}
+
+std::optional<std::string> SearchMission::stay_behind(const SourceEdit& edit) {
+  if (edit.who != agents_[kPerson]) return "only the robot can be kept behind somebody";
+  if (!seen_[kPerson]) return "nobody knows where " + edit.who + " is";
+  if (std::ranges::find(drawn_, SourceEdit::Kind::StayBehind, &SourceEdit::kind) != drawn_.end()) {
+    return "the robot stays behind already";
+  }
+  const Pose2& person = seen_[kPerson]->map_from_agent;
+  SourceEdit drawn = edit;
+  drawn.targets = {agents_[kRobot]};
+  drawn.region = HalfPlane{person.position(), -direction_of(person)};  // as it lies now
+  drawn_.push_back(drawn);
+  return std::nullopt;
+}
+
+bool SearchMission::keeps_robot_behind(Time now) const {
+  return person_is_known(now) &&
+         std::ranges::find(drawn_, SourceEdit::Kind::StayBehind, &SourceEdit::kind) != drawn_.end();
+}
+
+/// How far the robot is ahead of the person, whichever way to the side; negative behind.
+double SearchMission::robot_ahead_m() const {
+  const Pose2& person = seen_[kPerson]->map_from_agent;
+  return (seen_[kRobot]->map_from_agent.position() - person.position()).dot(direction_of(person));
+}
+
+/// A robot that is to stay behind the person does not go farther than they are now, for as long as the next plan holds.
+/// One that is ahead has to get out of there first. Gives true if that changes its ways.
+bool SearchMission::close_what_is_ahead(Time now) {
+  const bool was_closed = ahead_.has_value();
+  ahead_.reset();
+  if (keeps_robot_behind(now) && robot_ahead_m() <= 0.0) {
+    const Pose2& person = seen_[kPerson]->map_from_agent;
+    ahead_ = BlockedDisc{person.position() + kFar_m * direction_of(person), kFar_m};
+  }
+  return was_closed || ahead_.has_value();
+}
+
+void SearchMission::open_what_is_ahead() {
+  if (!ahead_) return;
+  ahead_.reset();
+  computation_.reset();  // it plans on the ways that change
+  if (world_ && seen_[kRobot]) find_ways_around_blockages();
+}
+
+/// Leads a robot that is ahead of the person to a place behind them; false if it is not ahead, or gets nowhere there.
+bool SearchMission::lead_behind(SearchMember& robot) const {
+  if (robot_ahead_m() <= 0.0) return false;
+  const Pose2& person = seen_[kPerson]->map_from_agent;
+  const Vector2d here = robot.pose.position();
+  const auto way = way_between(kRobot, here, person.position() - kBehind_m * direction_of(person));
+  if (!way) return false;
+  append_way(robot.committed, *way, world_->searcher(robot.searcher), robot.pose.heading);
+  return true;
 }
 
 }  // namespace tandem

@@ -152,6 +152,12 @@ class SearchMission {
   [[nodiscard]] std::optional<std::vector<Eigen::Vector2d>> way_between(std::size_t member, const Eigen::Vector2d& from,
                                                                         const Eigen::Vector2d& to) const;
   void lead_through(SearchMember& who) const;
+  [[nodiscard]] std::optional<std::string> stay_behind(const SourceEdit& edit);
+  [[nodiscard]] bool keeps_robot_behind(Time now) const;
+  [[nodiscard]] double robot_ahead_m() const;
+  [[nodiscard]] bool close_what_is_ahead(Time now);
+  void open_what_is_ahead();
+  [[nodiscard]] bool lead_behind(SearchMember& robot) const;
   void drop_passed_places();
   [[nodiscard]] std::optional<std::string> remove_source(const std::string& id);
   [[nodiscard]] bool concerns(const SourceEdit& edit, std::size_t member) const;
@@ -210,6 +216,7 @@ class SearchMission {
   Time inform_due_{};
   std::vector<SourceEdit> drawn_;
   std::vector<std::pair<Time, BlockedDisc>> blocked_;
+  std::optional<BlockedDisc> ahead_;  ///< of the person, whom the robot is to stay behind, when the plan was made
   std::vector<std::vector<TimedPath>> rejected_;
   std::uint64_t world_version_ = 0;
   std::uint64_t plans_ = 0;

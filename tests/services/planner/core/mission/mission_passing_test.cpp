@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -133,6 +134,99 @@ TEST_F(MissionPassing, WhatCannotBePassedIsRefused) {
   EXPECT_EQ(mission.edit_source(through(Disc{{14.0, 5.0}, 1.0}, {"robot"}), now), "no way leads robot through there");
   EXPECT_FALSE(mission.edit_source(through(Disc{{14.0, 5.0}, 1.0}, {"person"}), now));
   EXPECT_EQ(mission.sources().size(), 2U);
+}
+
+SourceEdit behind(const std::string& whom, std::vector<std::string> targets = {}) {
+  SourceEdit edit;
+  edit.kind = SourceEdit::Kind::StayBehind;
+  edit.source_id = "behind";
+  edit.who = whom;
+  edit.targets = std::move(targets);
+  return edit;
+}
+
+double least_x(const TimedPath& path) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const TimedPoint& point : path.points) least = std::min(least, point.point_in_map.x());
+  return least;
+}
+
+/// The person in the middle looks to the left, where everything is that is still to be found; the robot is behind them.
+class MissionBehind : public MissionInHall {
+ protected:
+  MissionBehind() {
+    robot = {12.0, 5.0, 0.0};
+    person = {8.0, 5.0, from_degrees(180.0)};
+    run();
+    const PlanarShape right = Polygon{{{8, 0}, {17, 0}, {17, 11}, {8, 11}}};
+    pass(seconds{1});
+    EXPECT_FALSE(mission.edit_belief({BeliefEdit::Kind::NotHere, right, "very"}));
+    EXPECT_TRUE(plan());
+  }
+};
+
+TEST_F(MissionBehind, TheRobotGoesNoFartherThanThePerson) {
+  EXPECT_LT(least_x(paths()[kRobot]), 7.0);
+  EXPECT_FALSE(mission.edit_source(behind("person"), now));
+  EXPECT_EQ(mission.standing(now), PlanStanding::Superseded);  // it led there
+  ASSERT_TRUE(plan());
+  EXPECT_GE(least_x(paths()[kRobot]), 8.0);
+  EXPECT_LT(least_x(paths()[kPerson]), 7.0);
+  ASSERT_EQ(mission.sources().size(), 1U);
+  EXPECT_EQ(mission.sources()[0].meaning, "stay behind person");
+
+  person = {5.0, 5.0, from_degrees(180.0)};  // they have gone on
+  pass(seconds{1});
+  EXPECT_FALSE(mission.request({PersonRequest::Kind::Replan, {}}, now));
+  ASSERT_TRUE(plan());
+  EXPECT_GE(least_x(paths()[kRobot]), 5.0);
+  EXPECT_LT(least_x(paths()[kRobot]), 8.0);
+}
+
+TEST_F(MissionBehind, ItGoesEverywhereAgainWhenItNeedNotStayBehind) {
+  EXPECT_FALSE(mission.edit_source(behind("person", {"robot"}), now));
+  ASSERT_TRUE(plan());
+  SourceEdit gone;
+  gone.source_id = "behind";
+  EXPECT_FALSE(mission.edit_source(gone, now));
+  ASSERT_TRUE(plan());
+  EXPECT_LT(least_x(paths()[kRobot]), 7.0);
+}
+
+TEST_F(MissionBehind, ARobotThatIsAheadGetsBehindFirst) {
+  person = {14.0, 5.0, from_degrees(180.0)};
+  pass(seconds{1});
+  EXPECT_FALSE(mission.edit_source(behind("person"), now));
+  ASSERT_TRUE(plan());
+  const Vector2d end = paths()[kRobot].points.back().point_in_map;
+  EXPECT_NEAR(end.x(), 15.5, 0.2);  // 1.5 m behind the person
+  EXPECT_NEAR(end.y(), 5.0, 0.2);
+  EXPECT_NEAR(length_until_m(paths()[kRobot], 1e9), 3.5, 0.2);
+  EXPECT_FALSE(mission.plan()->members[kRobot].goal_fixed);
+}
+
+TEST_F(MissionBehind, WhenThePersonTurnsRoundTheRobotGetsBehindAgain) {
+  EXPECT_FALSE(mission.edit_source(behind("person"), now));
+  ASSERT_TRUE(plan());
+  person.heading = 0.0;
+  for (int i = 0; i < 19; ++i) {
+    pass(seconds{1});
+    EXPECT_FALSE(mission.step(now, kNeverOver));
+  }
+  pass(seconds{2});  // 20 s after the last plan, not before
+  ASSERT_TRUE(plan());
+  EXPECT_EQ(mission.plan()->reason, "the robot is ahead of the person");
+  EXPECT_NEAR(paths()[kRobot].points.back().point_in_map.x(), 6.5, 0.2);
+}
+
+TEST_F(MissionBehind, WhatCannotBeIsRefused) {
+  EXPECT_EQ(mission.edit_source(behind(""), now), "it is not said behind whom");
+  EXPECT_EQ(mission.edit_source(behind("person", {"person"}), now), "nobody can stay behind themselves");
+  EXPECT_EQ(mission.edit_source(behind("robot", {"person"}), now), "only the robot can be kept behind somebody");
+  EXPECT_FALSE(mission.edit_source(behind("person"), now));
+  SourceEdit again = behind("person");
+  again.source_id = "again";
+  EXPECT_EQ(mission.edit_source(again, now), "the robot stays behind already");
 }
 
 }  // namespace
