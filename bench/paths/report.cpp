@@ -42,7 +42,7 @@ double mean(const std::vector<double>& values) {
 /// "1.023", or "8/10, 1.16" where some have no way yet.
 std::string cell(const Figures& figures) {
   if (figures.ratios.empty()) return formatted("0/%d", figures.asked);
-  const std::string ratio = formatted("%.3f", mean(figures.ratios));
+  std::string ratio = formatted("%.3f", mean(figures.ratios));
   if (static_cast<int>(figures.ratios.size()) == figures.asked) return ratio;
   return formatted("%zu/%d, ", figures.ratios.size(), figures.asked) + ratio;
 }
