@@ -2,23 +2,17 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "bench/planning/records/resumable.hpp"
 #include "bench/planning/report/campaign.hpp"
 #include "bench/planning/report/report.hpp"
-#include "services/common/clock.hpp"
 #include "services/common/file_io.hpp"
 #include "services/common/stop_signal.hpp"
-#include "services/common/version.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -28,27 +22,6 @@ struct AllArguments {
   std::string output;
   int threads = 2;
 };
-
-std::string date_of(Time time) {
-  const std::time_t seconds = to_stamp_ns(time) / 1'000'000'000;
-  std::tm date{};
-  gmtime_r(&seconds, &date);
-  std::array<char, 16> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%d", &date);
-  return text.data();
-}
-
-std::string machine() {
-  std::ifstream info("/proc/cpuinfo");
-  std::string model = "unknown processor";
-  for (std::string line; std::getline(info, line);) {
-    if (line.starts_with("model name")) {
-      model = line.substr(line.find(':') + 2);
-      break;
-    }
-  }
-  return model + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores";
-}
 
 /// Says on standard error how far a part is: over itself on a terminal, else now and then a line.
 class PartProgress {
@@ -106,8 +79,7 @@ int run_all(const AllArguments& arguments) {
   if (arguments.campaign.quick) command += " --quick";
   for (const int row : arguments.campaign.rows) command += " --rows " + std::to_string(row);
   if (arguments.campaign.first_seed != 1) command += " --first-seed " + std::to_string(arguments.campaign.first_seed);
-  for (const auto& [name, content] :
-       report_files(results, {date_of(SteadyClock{}.now()), commit(), machine(), command})) {
+  for (const auto& [name, content] : report_files(results, report_head(command))) {
     write_file_atomically(output / name, content);
   }
   std::printf("%s\nThe report is %s.\n", target_table(results).c_str(), (output / "REPORT.md").c_str());

@@ -6,6 +6,7 @@
 #include "bench/planning/all_command.hpp"
 #include "bench/planning/instance/families.hpp"
 #include "bench/planning/run_command.hpp"
+#include "bench/planning/scores/scores_command.hpp"
 #include "services/planner/core/planners/registry.hpp"
 
 int main(int argc, char** argv) {
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
   add_run_command(app, chosen);
   add_all_command(app, chosen);
   add_freeze_command(app, chosen);
+  add_scores_command(app, chosen);
   app.add_subcommand("families", "Lists the families of instances")->callback([&] {
     chosen = [] {
       for (const FamilySpec& family : families()) {

@@ -54,11 +54,16 @@ std::optional<SourceEdit> to_core(const msg::SourceEdit& message) {
   edit.targets = message.targets();
   edit.who = message.who();
   if (message.kind() == msg::EDIT_REMOVE) return edit;
+  if (message.kind() == msg::EDIT_STAY_BEHIND) {
+    edit.kind = SourceEdit::Kind::StayBehind;
+    return edit;
+  }
   const auto region = region_of(message.boundary_in_map());
   if (!region) return std::nullopt;
   edit.region = *region;
   switch (message.kind()) {
     case msg::EDIT_REMOVE:
+    case msg::EDIT_STAY_BEHIND:
       break;
     case msg::EDIT_AVOID:
       edit.kind = SourceEdit::Kind::Avoid;
@@ -68,9 +73,6 @@ std::optional<SourceEdit> to_core(const msg::SourceEdit& message) {
       return edit;
     case msg::EDIT_GO_TO:
       edit.kind = SourceEdit::Kind::GoTo;
-      return edit;
-    case msg::EDIT_STAY_BEHIND:
-      edit.kind = SourceEdit::Kind::StayBehind;
       return edit;
   }
   return std::nullopt;  // a kind of a later version

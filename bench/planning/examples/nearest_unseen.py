@@ -46,7 +46,7 @@ class World:
             bx, by = self.block(here)
             for block in ((bx + dx, by + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)):
                 there = self.points[self.at[block]] if block in self.at else None
-                margin = member["radius_m"] if here != start else 0.0
+                margin = member["radius_m"] if here != start else self.layers[member["layer"]]["resolution_m"]
                 if there and there not in done and self.is_free(member["layer"], here, there, margin):
                     heapq.heappush(open_list, (cost + math.dist(here, there), there, way + (there,)))
         return (start,)

@@ -1,19 +1,13 @@
 #include "bench/planning/records/run_record.hpp"
 
-#include <cstdio>
 #include <numeric>
 
 #include "bench/planning/statistics/statistics.hpp"
+#include "services/common/format.hpp"
 
 namespace tandem::bench {
 std::string budget_label(const PlanningBudget& budget) {
-  char text[32];
-  if (budget.rollouts) {
-    std::snprintf(text, sizeof text, "%drollouts", *budget.rollouts);
-  } else {
-    std::snprintf(text, sizeof text, "%gms", budget.cpu_ms);
-  }
-  return text;
+  return budget.rollouts ? formatted("%drollouts", *budget.rollouts) : formatted("%gms", budget.cpu_ms);
 }
 
 RunRecord record_of(const RunKey& key, const PlanningInstance& instance, const LoopResult& result) {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
+
+#include "services/common/format.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -55,12 +56,6 @@ class Axis {
   double low_ = std::numeric_limits<double>::infinity();
   double high_ = -std::numeric_limits<double>::infinity();
 };
-
-std::string formatted(const char* format, auto... values) {
-  std::array<char, 512> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 std::string escaped(const std::string& text) {
   std::string result;

@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <numeric>
 #include <set>
 
 #include "bench/planning/report/campaign.hpp"
 #include "bench/planning/report/plot.hpp"
 #include "bench/planning/report/rows.hpp"
+#include "services/common/format.hpp"
 
 namespace tandem::bench {
 namespace {
-
-std::string formatted(const char* format, auto... values) {
-  std::array<char, 1024> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 double mean_of(const std::vector<double>& values) {
   return values.empty() ? 0.0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());

@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "bench/planning/report/campaign.hpp"
+#include "services/common/format.hpp"
 
 namespace tandem::bench {
 namespace {
-
-std::string formatted(const char* format, auto... values) {
-  std::array<char, 512> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 Verdict verdict(bool met) {
   return met ? Verdict::Met : Verdict::NotMet;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "services/cli/plan/labels.hpp"
+#include "services/common/format.hpp"
 #include "services/planner/core/srs/resolved_boundary.hpp"
 
 namespace tandem::cli {
@@ -78,11 +79,7 @@ class View {
   }
 
  private:
-  static std::string precise(double value) {
-    std::array<char, 32> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.6f", value == 0.0 ? 0.0 : value);
-    return buffer.data();
-  }
+  static std::string precise(double value) { return formatted("%.6f", value == 0.0 ? 0.0 : value); }
 
   double scale_;
   Vector2d low_;

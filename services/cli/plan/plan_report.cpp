@@ -1,11 +1,10 @@
 #include "services/cli/plan/plan_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "services/common/format.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -15,15 +14,6 @@ using Json = nlohmann::ordered_json;
 /// To the millimetre and millisecond: what is beyond tells nobody anything.
 double rounded(double value) {
   return std::round(value * 1000.0) / 1000.0;
-}
-
-[[gnu::format(printf, 1, 2)]] std::string format(const char* pattern, ...) {
-  std::array<char, 512> text{};
-  va_list values;
-  va_start(values, pattern);
-  std::vsnprintf(text.data(), text.size(), pattern, values);
-  va_end(values);
-  return text.data();
 }
 
 const TaskPlan* task_of(const PlannedScenario& planned) {
@@ -91,19 +81,19 @@ Json pools_json(const PlanningScenario& scenario, const TaskPlan& task) {
 }
 
 std::string task_text(const PlanningScenario& scenario, const TaskPlan& task) {
-  std::string text = format("value %.3f, ", task.value);
-  text += task.is_proven() ? "no plan is worth more" : format("no plan is worth more than %.3f", task.upper_bound);
-  text += format("; the last action ends at %.1f s\n", task.makespan_s);
+  std::string text = formatted("value %.3f, ", task.value);
+  text += task.is_proven() ? "no plan is worth more" : formatted("no plan is worth more than %.3f", task.upper_bound);
+  text += formatted("; the last action ends at %.1f s\n", task.makespan_s);
   for (const Inform& inform : task.informs) text += "first tell " + inform.agent + " about " + inform.source + "\n";
-  if (!task.informs.empty()) text += format("without a message the best value is %.3f\n", task.value_untold);
-  text += format("\n%-16s %-20s %9s %9s %9s\n", "agent", "source", "arrives s", "leaves s", "reward");
+  if (!task.informs.empty()) text += formatted("without a message the best value is %.3f\n", task.value_untold);
+  text += formatted("\n%-16s %-20s %9s %9s %9s\n", "agent", "source", "arrives s", "leaves s", "reward");
   for (std::size_t a = 0; a < task.agents.size(); ++a) {
     const TaskAgentPlan& agent = task.agents[a];
-    text += format("%-16s %-20s %9s %9.1f %9.3f\n", scenario.agents[a].searcher.id.c_str(), "", "", agent.end_s,
-                   agent.reward);
+    text += formatted("%-16s %-20s %9s %9.1f %9.3f\n", scenario.agents[a].searcher.id.c_str(), "", "", agent.end_s,
+                      agent.reward);
     for (const TaskVisit& visit : agent.visits) {
-      text += format("%-16s %-20s %9.1f %9.1f\n", "", scenario.world.sources[visit.source].id.c_str(), visit.arrive_s,
-                     visit.leave_s);
+      text += formatted("%-16s %-20s %9.1f %9.1f\n", "", scenario.world.sources[visit.source].id.c_str(),
+                        visit.arrive_s, visit.leave_s);
     }
   }
   return text;
@@ -112,16 +102,17 @@ std::string task_text(const PlanningScenario& scenario, const TaskPlan& task) {
 std::string search_text(const PlanningScenario& scenario, const PlannedScenario& planned) {
   const auto& search = std::get<PlannedSearch>(planned.result);
   const JointPlan& plan = search.plan;
-  std::string text = format("expected time to find %.1f s; found within %.0f s: %.1f %%; ",
-                            plan.forecast.expected_time_s, scenario.horizon_s, 100.0 * plan.forecast.probability_found);
-  text += search.lower_bound_s > 0.0 ? format("no plan takes less than %.1f s\n", search.lower_bound_s)
+  std::string text =
+      formatted("expected time to find %.1f s; found within %.0f s: %.1f %%; ", plan.forecast.expected_time_s,
+                scenario.horizon_s, 100.0 * plan.forecast.probability_found);
+  text += search.lower_bound_s > 0.0 ? formatted("no plan takes less than %.1f s\n", search.lower_bound_s)
                                      : "no lower bound is known\n";
-  text += format("\n%-16s %9s %9s %9s   %s\n", "agent", "ends s", "way m", "corners", "ends at");
+  text += formatted("\n%-16s %9s %9s %9s   %s\n", "agent", "ends s", "way m", "corners", "ends at");
   for (std::size_t a = 0; a < scenario.agents.size(); ++a) {
     const TimedPath path = path_of(scenario, planned, a);
     const Eigen::Vector2d& end = path.points.back().point_in_map;
-    text += format("%-16s %9.1f %9.1f %9zu   %.1f, %.1f\n", scenario.agents[a].searcher.id.c_str(), path.duration_s(),
-                   length_m(path), path.points.size(), end.x(), end.y());
+    text += formatted("%-16s %9.1f %9.1f %9zu   %.1f, %.1f\n", scenario.agents[a].searcher.id.c_str(),
+                      path.duration_s(), length_m(path), path.points.size(), end.x(), end.y());
   }
   return text;
 }
@@ -130,13 +121,13 @@ std::string search_text(const PlanningScenario& scenario, const PlannedScenario&
 std::string summary_of(const PlanningScenario& scenario, const PlanRequest& request, const PlannedScenario& planned) {
   std::string text = "planner " + request.planner + ": ";
   if (const TaskPlan* task = task_of(planned)) {
-    text += format("value %.2f", task->value);
-    text += task->is_proven() ? " (the best)" : format(" (at most %.2f)", task->upper_bound);
-    return text + format(", done at %.1f s", task->makespan_s);
+    text += formatted("value %.2f", task->value);
+    text += task->is_proven() ? " (the best)" : formatted(" (at most %.2f)", task->upper_bound);
+    return text + formatted(", done at %.1f s", task->makespan_s);
   }
   const Forecast& forecast = std::get<PlannedSearch>(planned.result).plan.forecast;
-  return text + format("expected time to find %.1f s, found within %.0f s: %.0f %%", forecast.expected_time_s,
-                       scenario.horizon_s, 100.0 * forecast.probability_found);
+  return text + formatted("expected time to find %.1f s, found within %.0f s: %.0f %%", forecast.expected_time_s,
+                          scenario.horizon_s, 100.0 * forecast.probability_found);
 }
 
 }  // namespace
@@ -174,9 +165,9 @@ std::string plan_json(const PlanningScenario& scenario, const PlanRequest& reque
 
 std::string plan_text(const PlanningScenario& scenario, const PlanRequest& request, const PlannedScenario& planned) {
   std::string text = scenario.name + (scenario.description.empty() ? "" : ": " + scenario.description) + "\n";
-  text += format("planner %s, %lld rollouts; first plan after %.1f ms, all after %.1f ms; role %s\n",
-                 request.planner.c_str(), static_cast<long long>(planned.rollouts), planned.first_plan_ms,
-                 planned.compute_ms, name_of(planned.role));
+  text += formatted("planner %s, %lld rollouts; first plan after %.1f ms, all after %.1f ms; role %s\n",
+                    request.planner.c_str(), static_cast<long long>(planned.rollouts), planned.first_plan_ms,
+                    planned.compute_ms, name_of(planned.role));
   const TaskPlan* task = task_of(planned);
   return text + (task != nullptr ? task_text(scenario, *task) : search_text(scenario, planned));
 }

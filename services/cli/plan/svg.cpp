@@ -1,9 +1,9 @@
 #include "services/cli/plan/svg.hpp"
 
-#include <array>
-#include <cstdio>
 #include <map>
 #include <utility>
+
+#include "services/common/format.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -83,9 +83,7 @@ std::string Svg::file() const {
 }
 
 std::string svg_number(double value) {
-  std::array<char, 48> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%.2f", value);
-  std::string text = buffer.data();
+  std::string text = formatted("%.2f", value);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') text.pop_back();
   return text == "-0" ? "0" : text;

@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "services/cli/up/episode_view.hpp"
+#include "services/common/format.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -116,16 +117,14 @@ std::string picture_of(const EpisodeView& view) {
   if (!view.robot_track.empty()) picture.draw_robot(view.robot_track.back());
   if (!view.human_track.empty()) picture.draw_person(view.human_track.back());
   if (view.found_at) picture.draw_found(*view.found_at);
-  char text[200];
-  std::snprintf(text, sizeof text, "%s after %.0f s%s%s   explored %.0f %%", view.found_at ? "Found" : "Not found",
-                view.time_s, view.found_by.empty() ? "" : " by ", view.found_by.c_str(), 100.0 * view.explored);
-  picture.write(text, 0, kText);
-  std::snprintf(text, sizeof text, "robot: %.1f m, %.0f %% seen first", view.robot_distance_m,
-                100.0 * view.explored_robot);
-  picture.write(text, 1, kRobot);
-  std::snprintf(text, sizeof text, "%38sperson: %.1f m, %.0f %% seen first", "", view.human_distance_m,
-                100.0 * view.explored_human);
-  picture.write(text, 1, kHuman);
+  picture.write(formatted("%s after %.0f s%s%s   explored %.0f %%", view.found_at ? "Found" : "Not found", view.time_s,
+                          view.found_by.empty() ? "" : " by ", view.found_by.c_str(), 100.0 * view.explored),
+                0, kText);
+  picture.write(formatted("robot: %.1f m, %.0f %% seen first", view.robot_distance_m, 100.0 * view.explored_robot), 1,
+                kRobot);
+  picture.write(
+      formatted("%38sperson: %.1f m, %.0f %% seen first", "", view.human_distance_m, 100.0 * view.explored_human), 1,
+      kHuman);
   return picture.png();
 }
 

@@ -1,23 +1,15 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "services/cli/up/episode_view.hpp"
+#include "services/common/format.hpp"
 
 namespace tandem::cli {
 namespace {
 
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
-}
-
 std::string clock_text(double seconds) {
   const int whole = static_cast<int>(seconds);
-  char text[32];
-  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
-  return text;
+  return formatted("%d:%02d", whole / 60, whole % 60);
 }
 
 /// An entry of the 256-colour palette; the hues are those of the phone's page.
@@ -197,16 +189,17 @@ std::vector<std::string> lines_of(const EpisodeView& view, int width, int map_ro
   std::vector<std::string> lines;
   lines.push_back(" \x1b[1mTandem\x1b[0m   " + clock_text(view.time_s) + " of " + clock_text(view.limit_s) + "   " +
                   view.phase);
-  lines.push_back(" explored " + bar_of(view, 50) + format(" %3.0f %%", 100.0 * view.explored));
-  lines.push_back(format("   robot  %3.0f %%", 100.0 * view.explored_robot) +
-                  format("   drove %5.1f m", view.robot_distance_m) + "   " + view.robot_state);
-  lines.push_back(format("   person %3.0f %%", 100.0 * view.explored_human) +
-                  format("   walked %4.1f m", view.human_distance_m) +
-                  (view.apart_m ? format("   %.1f m from the robot", *view.apart_m) : "   not seen yet"));
+  lines.push_back(" explored " + bar_of(view, 50) + formatted(" %3.0f %%", 100.0 * view.explored));
+  lines.push_back(formatted("   robot  %3.0f %%", 100.0 * view.explored_robot) +
+                  formatted("   drove %5.1f m", view.robot_distance_m) + "   " + view.robot_state);
+  lines.push_back(formatted("   person %3.0f %%", 100.0 * view.explored_human) +
+                  formatted("   walked %4.1f m", view.human_distance_m) +
+                  (view.apart_m ? formatted("   %.1f m from the robot", *view.apart_m) : "   not seen yet"));
   lines.push_back(" role     " + (view.role.empty() ? std::string{"-"} : view.role) + "   plan " +
                   (view.plan.empty() ? std::string{"-"} : view.plan));
-  lines.push_back(std::string{" link     "} + (view.link_up ? "up" : "LOST") + format(", %.1f ms", view.round_trip_ms) +
-                  "   " + std::to_string(view.messages) + " messages   " + std::to_string(view.stops) + " stops");
+  lines.push_back(std::string{" link     "} + (view.link_up ? "up" : "LOST") +
+                  formatted(", %.1f ms", view.round_trip_ms) + "   " + std::to_string(view.messages) + " messages   " +
+                  std::to_string(view.stops) + " stops");
   if (map_rows > 0) {
     const auto map = map_lines(view, width, map_rows);
     lines.insert(lines.end(), map.begin(), map.end());
@@ -216,12 +209,11 @@ std::vector<std::string> lines_of(const EpisodeView& view, int width, int map_ro
 }
 
 std::string summary_line(const EpisodeView& view) {
-  char text[256];
-  std::snprintf(text, sizeof text, "%s %s  explored %.0f %% (robot %.0f, person %.0f)  %s  plan %s  link %s  robot %s",
-                clock_text(view.time_s).c_str(), view.phase.c_str(), 100.0 * view.explored, 100.0 * view.explored_robot,
-                100.0 * view.explored_human, view.role.empty() ? "-" : view.role.c_str(),
-                view.plan.empty() ? "-" : view.plan.c_str(), view.link_up ? "up" : "lost", view.robot_state.c_str());
-  return text;
+  return formatted("%s %s  explored %.0f %% (robot %.0f, person %.0f)  %s  plan %s  link %s  robot %s",
+                   clock_text(view.time_s).c_str(), view.phase.c_str(), 100.0 * view.explored,
+                   100.0 * view.explored_robot, 100.0 * view.explored_human,
+                   view.role.empty() ? "-" : view.role.c_str(), view.plan.empty() ? "-" : view.plan.c_str(),
+                   view.link_up ? "up" : "lost", view.robot_state.c_str());
 }
 
 }  // namespace tandem::cli

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <utility>
 
+#include "services/common/format.hpp"
 #include "services/mapping/core/distance_field.hpp"
 #include "services/mapping/core/grid_regions.hpp"
 
@@ -24,23 +23,14 @@ constexpr double kTornShare = 0.8;        ///< The largest free space should hav
 constexpr double kHoleM2 = 1.0;           ///< Smaller unknown areas are specks.
 constexpr std::size_t kMostListed = 5;
 
-__attribute__((format(printf, 1, 2))) std::string text(const char* format, ...) {
-  std::array<char, 300> line{};
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line.data(), line.size(), format, arguments);
-  va_end(arguments);
-  return line.data();
-}
-
 /// "around (3.0, 4.5), 2.0 x 1.5 m"
 std::string place_of(const GridRegion& region, const OccupancyGrid& map) {
   const Eigen::Vector2d low = map.centre_in_map(region.lowest);
   const Eigen::Vector2d high = map.centre_in_map(region.highest);
   const double cell_m = map.resolution_m();
-  return text("around (%.1f, %.1f), %.1f x %.1f m", 0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()),
-              (region.highest.column - region.lowest.column + 1) * cell_m,
-              (region.highest.row - region.lowest.row + 1) * cell_m);
+  return formatted("around (%.1f, %.1f), %.1f x %.1f m", 0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()),
+                   (region.highest.column - region.lowest.column + 1) * cell_m,
+                   (region.highest.row - region.lowest.row + 1) * cell_m);
 }
 
 /// Lengths of the runs of occupied cells between two free ones, along rows or columns [cells]; of each cell's two runs
@@ -139,23 +129,23 @@ class Checking {
     const double longest_m = std::max(s.width_m, s.height_m);
     const double cell_m = map_.resolution_m();
     if (longest_m < kSmallestPlaceM) {
-      fault(MapFault::TooSmall, text("the map is %.2f x %.2f m", s.width_m, s.height_m), "",
-            text("measure a wall: resolution must be its length / its pixels (now %g m)", cell_m));
+      fault(MapFault::TooSmall, formatted("the map is %.2f x %.2f m", s.width_m, s.height_m), "",
+            formatted("measure a wall: resolution must be its length / its pixels (now %g m)", cell_m));
     }
     if (longest_m > kLargestPlaceM) {
-      fault(MapFault::TooLarge, text("the map is %.0f x %.0f m", s.width_m, s.height_m), "",
-            text("measure a wall: resolution must be its length / its pixels (now %g m)", cell_m));
+      fault(MapFault::TooLarge, formatted("the map is %.0f x %.0f m", s.width_m, s.height_m), "",
+            formatted("measure a wall: resolution must be its length / its pixels (now %g m)", cell_m));
     }
     if (cell_m > kLargestCellM) {
-      fault(MapFault::CellsTooLarge, text("cells of %g m: a doorway vanishes", cell_m), "",
+      fault(MapFault::CellsTooLarge, formatted("cells of %g m: a doorway vanishes", cell_m), "",
             "correct the resolution, or draw the map with cells of 0.05 to 0.1 m");
     }
     if (cell_m < kSmallestCellM) {
-      hint(MapFault::CellsTooSmall, text("cells of %g m are finer than a laser sees", cell_m), "",
+      hint(MapFault::CellsTooSmall, formatted("cells of %g m are finer than a laser sees", cell_m), "",
            "correct the resolution, or draw the map with cells of 0.05 m");
     }
     if (s.wall_thickness_m > kThickWallM && s.wall_thickness_m > 2.0 * cell_m) {
-      hint(MapFault::WallsTooThick, text("half of the walls are %.2f m thick or more", s.wall_thickness_m), "",
+      hint(MapFault::WallsTooThick, formatted("half of the walls are %.2f m thick or more", s.wall_thickness_m), "",
            "if the building's walls are thinner, the resolution is too large or the map is smeared");
     }
   }
@@ -172,12 +162,12 @@ class Checking {
       return;
     }
     if (s.widest_m < kRobotM) {
-      fault(MapFault::NarrowSpace, text("the widest free place is %.2f m across: no robot fits", s.widest_m),
+      fault(MapFault::NarrowSpace, formatted("the widest free place is %.2f m across: no robot fits", s.widest_m),
             place_of(largest_, map_), "the resolution is too small, or walls are drawn too thick");
     }
     if (s.largest_free_m2 < kTornShare * s.free_m2) {
       hint(MapFault::TornSpace,
-           text("the largest free space has %.0f %% of all", 100.0 * s.largest_free_m2 / s.free_m2),
+           formatted("the largest free space has %.0f %% of all", 100.0 * s.largest_free_m2 / s.free_m2),
            place_of(largest_, map_), "look for doors that are drawn shut; the rest cannot be reached");
     }
     if (largest_.at_border) {
@@ -191,8 +181,8 @@ class Checking {
     const double whole_m2 = s.width_m * s.height_m;
     if (s.free_m2 > 0.0 && s.free_m2 < kLeastFreeShare * whole_m2) {
       fault(MapFault::UnknownAreas,
-            text("only %.1f %% of %.0f x %.0f m is known to be free", 100.0 * s.free_m2 / whole_m2, s.width_m,
-                 s.height_m),
+            formatted("only %.1f %% of %.0f x %.0f m is known to be free", 100.0 * s.free_m2 / whole_m2, s.width_m,
+                      s.height_m),
             "", "drive through the rest and build the map again, or cut stray points off");
     }
     std::vector<GridRegion> holes;
@@ -207,7 +197,7 @@ class Checking {
     if (holes.size() > kMostListed) holes.resize(kMostListed);
     for (const GridRegion& hole : holes) {
       hint(MapFault::UnknownAreas,
-           text("unknown area of %.1f m2 amid known space", static_cast<double>(hole.cells) * cell_m2_),
+           formatted("unknown area of %.1f m2 amid known space", static_cast<double>(hole.cells) * cell_m2_),
            place_of(hole, map_), "drive there if a robot or a person can be there; it counts as not searched");
     }
   }

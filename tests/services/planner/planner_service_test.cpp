@@ -214,11 +214,30 @@ TEST_F(PlannerServiceTest, WhatIsDrawnIsPublishedUntilItIsRemoved) {
   removal.source_id("here");
   source_edits.send(removal);
   ASSERT_TRUE(answered(removal.id(), true));
-  auto behind = edit_at<msg::SourceEdit>(8.0, 6.0);
+  auto through = edit_at<msg::SourceEdit>(8.0, 6.0);
+  through.kind(msg::EDIT_PASS_THROUGH);
+  through.source_id("through");
+  source_edits.send(through);
+  EXPECT_TRUE(answered(through.id(), false));  // who?
+  through.id(bus::new_event_id("test", others.clock()));
+  through.targets({site.robot});
+  source_edits.send(through);
+  EXPECT_TRUE(answered(through.id(), true));
+}
+
+TEST_F(PlannerServiceTest, BehindSomebodyNeedsNoPlace) {
+  ASSERT_TRUE(step_until([&] { return belief.newest().has_value(); }));
+  tell_session(msg::SESSION_RUNNING);
+  ASSERT_TRUE(plan_is(msg::PLAN_PROPOSED));
+  auto behind = edit_at<msg::SourceEdit>(0.0, 0.0);
+  behind.boundary_in_map().clear();
   behind.kind(msg::EDIT_STAY_BEHIND);
   behind.source_id("behind");
   source_edits.send(behind);
-  EXPECT_TRUE(answered(behind.id(), false));
+  ASSERT_TRUE(answered(behind.id(), true));
+  ASSERT_TRUE(step_until([&] { return sources.newest() && sources.newest()->message.id() == "behind"; }));
+  EXPECT_EQ(sources.newest()->message.kind(), "interaction");
+  EXPECT_EQ(sources.newest()->message.targets(), std::vector<std::string>{site.robot});
 }
 
 TEST_F(PlannerServiceTest, ThePersonIsToldOfAPlaceUntilTheyTakeNoticeOfIt) {

@@ -13,6 +13,7 @@ struct SearchMission::Computation {
   std::unique_ptr<Planner> planner;  ///< of `problem`, so this never moves
   std::string reason;
   bool overtaken = false;      ///< the person has edited something that it does not know of
+  bool leads_behind = false;   ///< the robot's path ends behind the person
   bool while_reading = false;  ///< begun while another plan was proposed and not accepted yet
 };
 

@@ -38,25 +38,38 @@ std::optional<std::string> problem_of(const SourceEdit& edit, std::span<const st
   using Kind = SourceEdit::Kind;
   if (edit.source_id.empty()) return "a source needs an id";
   if (edit.kind == Kind::Remove) return std::nullopt;
-  if (edit.kind == Kind::PassThrough) return "this planner does not choose ways through a place; set a goal there";
-  if (edit.kind == Kind::StayBehind) return "this planner cannot keep anybody behind another";
   if (strength_of(edit) <= 0.0) return "nobody knows how much \"" + edit.strength + "\" is";
-  if (!enclosing_disc(edit.region)) return "the place has no end";
+  if (edit.kind != Kind::StayBehind && !enclosing_disc(edit.region)) return "the place has no end";
   for (const std::string& target : edit.targets) {
     if (std::ranges::find(agents, target) == agents.end()) return "nobody in the team is called " + target;
   }
   if (edit.kind == Kind::GoTo && edit.targets.size() != 1) return "it is not said who is to go there";
+  if (edit.kind == Kind::PassThrough && edit.targets.size() != 1) return "it is not said who is to pass through there";
+  if (edit.kind == Kind::StayBehind && std::ranges::find(agents, edit.who) == agents.end()) {
+    return "it is not said behind whom";
+  }
+  if (edit.kind == Kind::StayBehind && std::ranges::find(edit.targets, edit.who) != edit.targets.end()) {
+    return "nobody can stay behind themselves";
+  }
   return std::nullopt;
 }
 
 RewardSource drawn_source(const SourceEdit& edit) {
-  const bool is_goal = edit.kind == SourceEdit::Kind::GoTo;
+  using Kind = SourceEdit::Kind;
+  const bool pays_once = edit.kind == Kind::GoTo || edit.kind == Kind::PassThrough;
   RewardSource source;
   source.id = edit.source_id;
-  source.meaning = is_goal ? "somebody is to go here" : "keep out of here";
+  source.meaning = edit.kind == Kind::GoTo          ? "somebody is to go here"
+                   : edit.kind == Kind::PassThrough ? "somebody is to pass through here"
+                   : edit.kind == Kind::StayBehind  ? "stay behind " + edit.who
+                                                    : "keep out of here";
   source.boundary = std::visit([](const auto& shape) { return Boundary{shape}; }, edit.region);
-  source.inside = constant_ratio(is_goal ? strength_of(edit) : -strength_of(edit));
-  if (is_goal) source.pool = 1.0;
+  if (edit.kind == Kind::StayBehind) {
+    source.kind = SourceKind::Interaction;
+    source.boundary = Attached{edit.who, HalfPlane{Eigen::Vector2d::Zero(), -Eigen::Vector2d::UnitX()}};
+  }
+  source.inside = constant_ratio(pays_once ? strength_of(edit) : -strength_of(edit));
+  if (pays_once) source.pool = 1.0;
   source.targets = edit.targets;
   return source;
 }

@@ -45,10 +45,14 @@ std::optional<std::string> SearchMission::edit_source(const SourceEdit& edit, Ti
   if (std::ranges::find(current, edit.source_id, &RewardSource::id) != current.end() || edit.source_id == kFoundId) {
     return "there is a source of this id already";
   }
-  auto refusal = edit.kind == SourceEdit::Kind::GoTo ? go_to(edit, now) : keep_out(edit);
+  auto refusal = edit.kind == SourceEdit::Kind::GoTo          ? go_to(edit, now)
+                 : edit.kind == SourceEdit::Kind::PassThrough ? pass_through(edit)
+                 : edit.kind == SourceEdit::Kind::StayBehind  ? stay_behind(edit)
+                                                              : keep_out(edit);
   if (refusal) return refusal;
   if (edit.who == agents_[kPerson]) knowledge_->learns(edit.source_id);
-  if (edit.kind == SourceEdit::Kind::Avoid && plan_enters(edit, now)) acceptance_.withdraw();
+  const bool closes = edit.kind == SourceEdit::Kind::Avoid || edit.kind == SourceEdit::Kind::StayBehind;
+  if (closes && plan_enters(drawn_.back(), now)) acceptance_.withdraw();
   person_drew_ = true;
   begin_computing_anew();
   ++world_version_;
@@ -67,12 +71,15 @@ std::vector<RewardSource> SearchMission::sources() const {
 std::vector<Relation> SearchMission::relations() const {
   std::vector<Relation> relations;
   for (const SourceEdit& drawn : drawn_) {
-    if (drawn.kind != SourceEdit::Kind::GoTo) continue;
-    Relation one_thing;
-    one_thing.kind = RelationKind::Codependent;
-    one_thing.from = drawn.source_id;
-    one_thing.to = goal_source(drawn.targets.front(), Vector2d::Zero(), config_.goal_reach_m).id;
-    relations.push_back(one_thing);
+    const bool goes_to = drawn.kind == SourceEdit::Kind::GoTo;
+    if (!goes_to && drawn.kind != SourceEdit::Kind::PassThrough) continue;
+    const std::string& target = drawn.targets.front();
+    if (!goals_[target == agents_[kRobot] ? kRobot : kPerson]) continue;
+    Relation relation;
+    relation.kind = goes_to ? RelationKind::Codependent : RelationKind::Soft;
+    relation.from = drawn.source_id;
+    relation.to = goal_source(target, Vector2d::Zero(), config_.goal_reach_m).id;
+    relations.push_back(relation);
   }
   return relations;
 }
@@ -101,6 +108,7 @@ std::vector<BlockedDisc> SearchMission::kept_out_of(std::size_t member) const {
     const auto cover = covering_discs(drawn.region);
     discs.insert(discs.end(), cover.begin(), cover.end());
   }
+  if (member == kRobot && ahead_) discs.push_back(*ahead_);
   return discs;
 }
 
@@ -116,7 +124,8 @@ bool SearchMission::gets_somewhere(std::size_t member) {
   return start && !actions.nearest_lookouts(*start).empty();
 }
 
-/// Finds the robot's ways around what is blocked; if that shuts it in, it must try again through what was blocked.
+/// Finds the robot's ways around what is blocked; if that shuts it in, it must try again through what was blocked, and
+/// then through what lies ahead of the person.
 void SearchMission::find_ways_around_blockages() {
   std::vector<BlockedDisc> discs = kept_out_of(kRobot);
   for (const auto& entry : blocked_) discs.push_back(entry.second);
@@ -124,6 +133,9 @@ void SearchMission::find_ways_around_blockages() {
   ++world_version_;
   if (discs.empty() || gets_somewhere(kRobot)) return;
   blocked_.clear();
+  find_ways_anew(kRobot, kept_out_of(kRobot));
+  if (!ahead_ || gets_somewhere(kRobot)) return;
+  ahead_.reset();
   find_ways_anew(kRobot, kept_out_of(kRobot));
 }
 
@@ -171,6 +183,7 @@ std::optional<std::string> SearchMission::remove_source(const std::string& id) {
   person_drew_ = true;
   ++world_version_;
   renew_ways(edit);
+  if (edit.kind == SourceEdit::Kind::StayBehind) open_what_is_ahead();
   for (const std::size_t member : {kRobot, kPerson}) {
     if (edit.kind == SourceEdit::Kind::GoTo && concerns(edit, member)) goals_[member].reset();
   }
@@ -188,6 +201,7 @@ void SearchMission::forget_drawn() {
   for (const SourceEdit& edit : std::exchange(drawn_, {})) {
     if (world_) renew_ways(edit);
   }
+  open_what_is_ahead();
 }
 
 }  // namespace tandem

@@ -17,6 +17,7 @@ constexpr double kPersonForgotten_s = 60.0;  ///< not heard of for so long, a pe
 constexpr double kSlackOfPlans = 1.5;        ///< a plan is void after so many times its duration ...
 constexpr double kSlack_s = 20.0;            ///< ... and this
 constexpr std::size_t kRejectedKept = 4;
+constexpr double kClearlyAhead_m = 1.0;  ///< of a person whom the robot is to stay behind
 constexpr double kLeastStray = 0.05;    ///< a person so unlikely to stray is taken to follow
 constexpr double kCourseKept_s = 30.0;  ///< one who strays goes straight on for no longer
 
@@ -72,6 +73,7 @@ PlanSituation SearchMission::situation(Time now) const {
   situation.person_drew = person_drew_;
   situation.edits_must_wait = postponed_;
   situation.person_is_new = !person_planned_ && person_is_known(now);
+  situation.robot_is_ahead = keeps_robot_behind(now) && robot_ahead_m() > kClearlyAhead_m;
   if (person_off_plan_since_) situation.person_off_plan_s = to_seconds(now - *person_off_plan_since_);
   if (!survival_.empty() && left_when_planned_ > 0.0) {
     const double step = std::max(0.0, (elapsed_s(now) - config_.late_s) / kSurvivalStep_s);
@@ -125,6 +127,7 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
     blocked_since_.reset();
     ways_changed = true;
   }
+  ways_changed = close_what_is_ahead(now) || ways_changed;
   if (ways_changed) find_ways_around_blockages();
   const PlanStanding before = standing(now);
   const bool asked_for = before == PlanStanding::Rejected || before == PlanStanding::Superseded;
@@ -152,6 +155,11 @@ void SearchMission::begin_plan(Time now, const std::string& reason) {
     }
     searchers.push_back(searcher);
     problem.members.push_back(member_of_plan(member, now));
+    if (member == kRobot && keeps_robot_behind(now) && lead_behind(problem.members.back())) {
+      computation->leads_behind = true;
+    } else {
+      lead_through(problem.members.back());
+    }
   }
   problem.tail_s = world_->sweep_time_s(searchers);
   const Rng rng{static_cast<std::uint64_t>(config_.seed) + 1'000'003 * plans_};
@@ -258,8 +266,11 @@ void SearchMission::finish_plan(Time now) {
   plan.reason = computation_->reason;
   double duration_s = 0.0;
   for (std::size_t m = 0; m < joint.paths.size(); ++m) {
-    const bool goal_fixed = std::isfinite(joint.goal_reached_s[m]);
-    const TimedPath path = path_until(joint.paths[m], joint.goal_reached_s[m]);
+    const bool leads_behind = m == kRobot && computation_->leads_behind;
+    const bool goal_fixed = std::isfinite(joint.goal_reached_s[m]) && !leads_behind;
+    const double end_s =
+        leads_behind ? computation_->problem.members[m].committed.duration_s() : joint.goal_reached_s[m];
+    const TimedPath path = path_until(joint.paths[m], end_s);
     plan.members.push_back({agents_[m], path, path.points.back().point_in_map, goal_fixed});
     duration_s = std::max(duration_s, path.duration_s());
   }

@@ -36,6 +36,7 @@ std::optional<std::string> replan_reason(const PlanSituation& situation, const P
   }
   if (situation.person_is_new) return "the person is known now";
   if (situation.age_s < config.replan_pause_s) return std::nullopt;
+  if (situation.robot_is_ahead) return "the robot is ahead of the person";
   if (situation.surprise > config.surprise) return "less was seen than planned";
   if (situation.person_off_plan_s > config.deviation_s) return "the person went another way";
   return std::nullopt;

@@ -19,6 +19,7 @@ struct PlanSituation {
   bool person_drew = false;        ///< the person drew or removed a source since
   bool edits_must_wait = false;    ///< edits have put off the acceptance of a plan already: see replan_reason()
   bool person_is_new = false;      ///< is known, but the plan was made without
+  bool robot_is_ahead = false;     ///< of the person, whom it is to stay behind
   double surprise = 0.0;           ///< P(not found) now, minus what the plan promised for now
   double person_off_plan_s = 0.0;  ///< for how long the person has been elsewhere
 };

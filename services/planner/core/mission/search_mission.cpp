@@ -165,6 +165,7 @@ bool SearchMission::step(Time now, const std::function<bool()>& slice_over) {
   if (!running_ || !world_ || activity_ == MissionActivity::Finished) return false;
   follow_person(now);
   drop_reached_goals(now);
+  drop_passed_places();
   if (!computation_) {
     const bool person_may_come =
         !plan_ && !person_is_known(now) && to_seconds(now - running_since_) < config_.wait_for_person_s;

@@ -115,7 +115,8 @@ class SearchMission {
   [[nodiscard]] const std::string& agent(std::size_t member) const { return agents_[member]; }
   /// The goals, and what has been drawn.
   [[nodiscard]] std::vector<RewardSource> sources() const;
-  /// A drawn place to go to is one thing with the goal it makes.
+  /// A drawn place to go to is one thing with the goal it makes; one to pass through pays only before the goal of
+  /// whoever is to pass.
   [[nodiscard]] std::vector<Relation> relations() const;
   /// None before map and robot are known.
   [[nodiscard]] const SearchArea* area() const { return world_ ? &world_->area() : nullptr; }
@@ -150,6 +151,18 @@ class SearchMission {
   [[nodiscard]] bool gets_somewhere(std::size_t member);
   [[nodiscard]] std::optional<std::string> keep_out(const SourceEdit& edit);
   [[nodiscard]] std::optional<std::string> go_to(const SourceEdit& edit, Time now);
+  [[nodiscard]] std::optional<std::string> pass_through(const SourceEdit& edit);
+  [[nodiscard]] std::optional<Eigen::Vector2d> floor_in(const PlanarShape& region) const;
+  [[nodiscard]] std::optional<std::vector<Eigen::Vector2d>> way_between(std::size_t member, const Eigen::Vector2d& from,
+                                                                        const Eigen::Vector2d& to) const;
+  void lead_through(SearchMember& who) const;
+  [[nodiscard]] std::optional<std::string> stay_behind(const SourceEdit& edit);
+  [[nodiscard]] bool keeps_robot_behind(Time now) const;
+  [[nodiscard]] double robot_ahead_m() const;
+  [[nodiscard]] bool close_what_is_ahead(Time now);
+  void open_what_is_ahead();
+  [[nodiscard]] bool lead_behind(SearchMember& robot) const;
+  void drop_passed_places();
   [[nodiscard]] std::optional<std::string> remove_source(const std::string& id);
   [[nodiscard]] bool concerns(const SourceEdit& edit, std::size_t member) const;
   void forget_drawn_goals(std::size_t member);
@@ -208,6 +221,7 @@ class SearchMission {
   Time inform_due_{};
   std::vector<SourceEdit> drawn_;
   std::vector<std::pair<Time, BlockedDisc>> blocked_;
+  std::optional<BlockedDisc> ahead_;  ///< of the person, whom the robot is to stay behind, when the plan was made
   std::vector<std::vector<TimedPath>> rejected_;
   std::uint64_t world_version_ = 0;
   std::uint64_t plans_ = 0;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "services/planner/remote/remote_messages.hpp"
 #include "tests/support/ascii_map.hpp"
 
@@ -100,6 +102,21 @@ TEST_F(RemotePlannerInTwoRooms, TheExampleFindsItsWayRoundTheWall) {
   const TimedPath path = planner.best().paths.front();
   EXPECT_GT(path.points.back().point_in_map.x(), 4.2);
   EXPECT_GT(planner.best().forecast.probability_found, 0.0);
+}
+
+TEST_F(RemotePlannerInTwoRooms, TheExampleGoesRoundTheWallFromWhereverItStands) {
+  RemotePlanner planner(
+      {.command = "python3 " + std::string(TANDEM_SOURCE_DIR) + "/bench/planning/examples/nearest_unseen.py"});
+  for (int cell = 0; cell < world_.area().size(); ++cell) {
+    if (world_.area().point(cell).x() < 5.0) problem_.masses.front()[static_cast<std::size_t>(cell)] = 0.0;
+  }
+  // Around the wall's end, at (4.1, 1.6), an arm's length away.
+  for (int i = 0; i < 60; ++i) {
+    const double angle_rad = 0.1 * i;
+    const Pose2 pose{4.15 + 0.45 * std::cos(angle_rad), 1.65 + 0.45 * std::sin(angle_rad), 0.0};
+    problem_.members.front().pose = pose;
+    EXPECT_NO_THROW(planner.begin(problem_, Rng{1})) << pose.x << ", " << pose.y;
+  }
 }
 
 }  // namespace

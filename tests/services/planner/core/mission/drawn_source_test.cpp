@@ -43,15 +43,39 @@ TEST(DrawnSource, APlaceToGoToPaysOnce) {
   EXPECT_DOUBLE_EQ(source.pool, 1.0);
 }
 
+TEST(DrawnSource, APlaceToPassThroughPaysOnce) {
+  SourceEdit through = edit(Kind::PassThrough, {"robot"});
+  through.strength = "very";
+  EXPECT_EQ(problem_of(through, kTeam), std::nullopt);
+  const RewardSource source = drawn_source(through);
+  EXPECT_DOUBLE_EQ(rate_at(source, {1, 1}), 3.0);
+  EXPECT_DOUBLE_EQ(source.pool, 1.0);
+  EXPECT_FALSE(is_target(source, "person"));
+}
+
+TEST(DrawnSource, WhatLiesAheadOfSomebodyCostsWhoStaysBehindThem) {
+  SourceEdit behind = edit(Kind::StayBehind, {"robot"});
+  behind.who = "person";
+  behind.strength = "a bit";
+  EXPECT_EQ(problem_of(behind, kTeam), std::nullopt);
+  const RewardSource source = drawn_source(behind);
+  EXPECT_EQ(source.kind, SourceKind::Interaction);
+  const auto& attached = std::get<Attached>(source.boundary);
+  EXPECT_EQ(attached.agent, "person");
+  EXPECT_TRUE(contains(attached.shape_in_agent, {0.5, 3.0}));  // in the person's frame
+  EXPECT_FALSE(contains(attached.shape_in_agent, {-0.5, 3.0}));
+  EXPECT_NEAR(peak_of(source.inside), -1.0 / 3.0, 1e-9);
+}
+
 TEST(DrawnSource, OneMustBeSentOnly) {
   EXPECT_EQ(problem_of(edit(Kind::GoTo, {"person"}), kTeam), std::nullopt);
   EXPECT_TRUE(problem_of(edit(Kind::GoTo), kTeam));
   EXPECT_TRUE(problem_of(edit(Kind::GoTo, {"person", "robot"}), kTeam));
+  EXPECT_TRUE(problem_of(edit(Kind::PassThrough), kTeam));
 }
 
 TEST(DrawnSource, WhatCannotBeHonouredIsRefusedWithAReason) {
-  EXPECT_TRUE(problem_of(edit(Kind::PassThrough), kTeam));
-  EXPECT_TRUE(problem_of(edit(Kind::StayBehind), kTeam));
+  EXPECT_EQ(problem_of(edit(Kind::StayBehind), kTeam), "it is not said behind whom");
   EXPECT_EQ(problem_of(edit(Kind::Avoid, {"drone"}), kTeam), "nobody in the team is called drone");
   SourceEdit nameless = edit(Kind::Remove);
   nameless.source_id.clear();

@@ -88,5 +88,13 @@ TEST(ReplanReason, APersonWhoGoesAnotherWayForLongIsFollowed) {
   EXPECT_EQ(replan_reason(situation, config), "the person went another way");
 }
 
+TEST(ReplanReason, ARobotThatIsAheadOfThePersonGetsBehindButNotAllTheTime) {
+  PlanSituation situation = under_way();
+  situation.robot_is_ahead = true;
+  EXPECT_EQ(replan_reason(situation, {}), "the robot is ahead of the person");
+  situation.age_s = 19.0;
+  EXPECT_EQ(replan_reason(situation, {}), std::nullopt);
+}
+
 }  // namespace
 }  // namespace tandem
