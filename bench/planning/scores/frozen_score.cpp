@@ -20,7 +20,7 @@ constexpr int kSlower =
 /// Rollouts that a planner makes in 100 ms for its first plan of S1u (first_plans.jsonl of the whole campaign); those
 /// that are not named here make a plan at once.
 int rollouts_at_first_sight(const std::string& planner) {
-  static const std::map<std::string, int, std::less<>> kRollouts{{"tandem", 300},
+  static const std::map<std::string, int, std::less<>> kRollouts{{"tandem", 900},
                                                                  {"paper", 12'000},
                                                                  {"paper_printed", 12'000},
                                                                  {"paper_travel", 12'000},
