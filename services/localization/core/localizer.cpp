@@ -82,7 +82,7 @@ std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odome
     finder_.forget();
   }
   const double factor = odometry.time < distrust_until_ ? config_.distrust_factor : 1.0;
-  const MotionDeviation deviation = deviation_of(motion, noise_of(config_).times(factor));
+  const MotionDeviation deviation = deviation_of(motion, config_.wheels.times(factor));
   move(particles_, motion, deviation, rng_);
   last_ = odometry;
   return {motion, deviation};
@@ -90,7 +90,7 @@ std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odome
 
 PoseFit Localizer::tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation) {
   RefinedPose pose{group.map_from_base, group.covariance};
-  if (config_.window_scans > 0) pose = window_.add(group.map_from_base, endpoints_, motion, deviation);
+  if (config_.window_scans > 0) pose = window_.add(pose, endpoints_, motion, deviation);
   return {pose, agreement_at(pose.map_from_base)};
 }
 
@@ -213,7 +213,7 @@ LocalizationResult Localizer::claim(const OdometrySample& odometry, const PoseFi
 std::optional<LocalizationResult> Localizer::predicted_now() const {
   const auto now = odometry_.newest();
   if (!now || !last_result_) return std::nullopt;
-  MotionNoise noise = noise_of(config_);
+  MotionNoise noise = config_.wheels;
   noise.drift_m = 0.0;  // that of an update, however short the time to it
   noise.drift_rad = 0.0;
   return predicted(*last_result_, *now, noise, from_seconds(config_.prediction_max_age_s));
