@@ -103,7 +103,7 @@ double Localizer::agreement_at(const Pose2& map_from_base) const {
   return agreement_of(map_, distances_, map_from_base, base_from_laser_.position(), endpoints_, config_.fit_distance_m);
 }
 
-PoseFit Localizer::corrected(PoseFit fit, Time time) {
+PoseFit Localizer::corrected(PoseFit fit, const Pose2& expected, Time time) {
   slipped_ = false;
   if (fit.agreement >= config_.search_below || !trusted_) return fit;  // lost: the finder looks everywhere
   const SearchWindow window{.half_side_m = config_.search_window_m,
@@ -112,7 +112,7 @@ PoseFit Localizer::corrected(PoseFit fit, Time time) {
   const Pose2 found = best_pose_in_window(likelihoods_, few_endpoints_, fit.pose.map_from_base, window);
   const PoseFit searched = fit_at(found);
   if (searched.agreement < fit.agreement + kClearlyBetter) return fit;
-  slipped_ = (searched.pose.map_from_base.position() - fit.pose.map_from_base.position()).norm() > kSlipM;
+  slipped_ = (searched.pose.map_from_base.position() - expected.position()).norm() > kSlipM;
   window_.restart();
   gather(particles_, kSearchedShare, searched.pose.map_from_base, 0.1, 0.05, rng_);
   normalise(particles_);
@@ -178,7 +178,8 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   compare_with_mirrored();
   weigh(particles_, likelihoods_, few_endpoints_, config_.beam_weight);
   const auto groups = clusters(particles_, 3);
-  const PoseFit fit = judged(corrected(tracked(groups.front(), motion, deviation), scan.time), *odometry);
+  const Pose2 expected = last_fit_ ? last_fit_->pose.map_from_base * motion : groups.front().map_from_base;
+  const PoseFit fit = judged(corrected(tracked(groups.front(), motion, deviation), expected, scan.time), *odometry);
   resample(fit);
   last_fit_ = fit;
   const auto others = trusted_ ? other_groups(groups) : other_places(finder_.finding(), fit.pose.map_from_base);
