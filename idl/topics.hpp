@@ -17,6 +17,7 @@ namespace tandem {
 enum class Delivery {
   SensorStream,  ///< best effort, newest only
   State,         ///< reliable, newest per key, also for late joiners
+  Bulk,          ///< a State of many datagrams: it takes its time on the link, and others do not wait for it
   Command,       ///< best effort, short-lived: the reader stops when it dries up
   Event,         ///< reliable, has an id, repeated until its receipt, applied exactly once
 };
