@@ -1,6 +1,8 @@
 #include "services/relay/relay_messages.hpp"
 
 #include "services/common/version.hpp"
+#include "services/mapping/map_messages.hpp"
+#include "services/relay/core/packed_cells.hpp"
 
 namespace tandem {
 
@@ -60,6 +62,33 @@ msg::LaserScan thinned(const msg::LaserScan& scan, std::size_t most_beams) {
   thin.angle_increment_rad(scan.angle_increment_rad() * static_cast<double>(step));
   thin.beam_interval_s(scan.beam_interval_s() * static_cast<double>(step));
   return thin;
+}
+
+msg::CompressedMap packed(const msg::OccupancyGrid& map) {
+  msg::CompressedMap message;
+  message.map_id(map.map_id());
+  message.sha256(map.sha256());
+  message.resolution_m(map.resolution_m());
+  message.width(map.width());
+  message.height(map.height());
+  message.map_from_grid(map.map_from_grid());
+  message.zstd_cells(packed_cells(map.cells()));
+  return message;
+}
+
+std::optional<msg::OccupancyGrid> unpacked(const msg::CompressedMap& map) {
+  auto cells = unpacked_cells(map.zstd_cells(), std::size_t{map.width()} * map.height());
+  if (!cells) return std::nullopt;
+  msg::OccupancyGrid message;
+  message.map_id(map.map_id());
+  message.sha256(map.sha256());
+  message.resolution_m(map.resolution_m());
+  message.width(map.width());
+  message.height(map.height());
+  message.map_from_grid(map.map_from_grid());
+  message.cells(std::move(*cells));
+  if (!to_grid(message)) return std::nullopt;
+  return message;
 }
 
 }  // namespace tandem

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "idl/topics.hpp"
 #include "services/common/site_config.hpp"
 #include "services/relay/core/forwarding.hpp"
@@ -15,5 +18,10 @@ namespace tandem {
 
 /// `scan` with every n-th beam, so that at most `most_beams` are left and it fits in one datagram.
 [[nodiscard]] msg::LaserScan thinned(const msg::LaserScan& scan, std::size_t most_beams);
+
+/// `map` for the link.
+[[nodiscard]] msg::CompressedMap packed(const msg::OccupancyGrid& map);
+/// The inverse; none if cells, sizes and hash do not fit together.
+[[nodiscard]] std::optional<msg::OccupancyGrid> unpacked(const msg::CompressedMap& map);
 
 }  // namespace tandem

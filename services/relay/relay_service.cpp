@@ -37,7 +37,8 @@ RelayService::RelayService(const SiteConfig& site, const RelayConfig& config, bu
       host_(host),
       status_(host.writer(topic::kLinkStatus)),
       health_(host, site, "relay"),
-      monitor_(site.host, from_seconds(config.heartbeat_timeout_s)) {
+      monitor_(site.host, from_seconds(config.heartbeat_timeout_s)),
+      maps_(site.host, from_seconds(config.map_patience_s), host) {
   if (is_alone()) return;
   for (const auto& topic : all_topics()) {
     if (!carries(rule_of(topic), role_of(site), Crossing::LinkToHost)) continue;
@@ -66,10 +67,12 @@ void RelayService::follow_address() {
 
 void RelayService::join_link(const std::string& address) {
   if (link_) spdlog::info("address of the link changes: old={} new={}", link_->address(), address);
+  maps_.leave();
   link_.reset();  // first: two participants of one host would each send everything
   try {
     link_ = std::make_unique<LinkSide>(link_domain(site_, config_, address), role_of(site_), config_, host_, inward_,
                                        [this] { return clock_offset(); });
+    maps_.join(link_->bus());
     trouble_.clear();
     spdlog::info("link joined: address={} domain={} discovery={}", address, site_.link_domain, site_.discovery);
   } catch (const std::runtime_error& error) {  // the address may have gone again meanwhile
@@ -90,6 +93,7 @@ void RelayService::step() {
     next_look_ = now + kLookPeriod;
   }
   tell_host(exchange_heartbeats(now), now);
+  maps_.step();
 }
 
 LinkState RelayService::exchange_heartbeats(Time now) {

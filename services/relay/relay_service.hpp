@@ -12,6 +12,7 @@
 #include "services/relay/core/link_monitor.hpp"
 #include "services/relay/core/relay_config.hpp"
 #include "services/relay/link_side.hpp"
+#include "services/relay/map_relay.hpp"
 
 namespace tandem {
 
@@ -48,6 +49,7 @@ class RelayService {
   std::string trouble_;  // why the link is not joined, empty if it is
   std::vector<InwardTopic> inward_;
   std::unique_ptr<LinkSide> link_;
+  MapRelay maps_;  // after the link: its readers there must go first
 };
 
 /// The link domain of `site` at `address`: one participant, in the partition of its team.
