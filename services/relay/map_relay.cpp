@@ -50,11 +50,20 @@ void MapRelay::step() {
 void MapRelay::read_host() {
   const auto received = maps_.take_new();
   if (!received || (brought_ && received->writer == brought_->raw().id())) return;
-  if (brought_ && brought_id_.map_id() != received->message.map_id()) brought_->dispose(brought_id_);
-  brought_.reset();  // the host's own map server has the say
+  give_way_to(received->message);
   packed_own_ = packed(received->message);
   exchange_.own_is(received->message.sha256());
   if (link_) link_->sent = false;
+}
+
+void MapRelay::give_way_to(const msg::OccupancyGrid& own) {
+  if (!brought_) return;
+  // The writer stays: what it says now must still reach its readers.
+  if (brought_key_.map_id() == own.map_id()) {
+    brought_->write(own);
+  } else {
+    brought_->dispose(brought_key_);
+  }
 }
 
 void MapRelay::say_what_is_here() {
@@ -93,9 +102,9 @@ void MapRelay::publish_what_came() {
                    came.sha256());
       continue;
     }
-    brought_.emplace(host_.writer(topic::kMap));
+    if (!brought_) brought_.emplace(host_.writer(topic::kMap));
     brought_->write(*grid);
-    brought_id_.map_id(came.map_id());
+    brought_key_.map_id(came.map_id());
     exchange_.brought_is(came.sha256());
     spdlog::info("map published from the link: id={} sha256={}", came.map_id(), came.sha256());
   }

@@ -27,6 +27,7 @@ class MapRelay {
  private:
   struct Link;
   void read_host();
+  void give_way_to(const msg::OccupancyGrid& own);  ///< this host's own map server has the say
   void say_what_is_here();
   void send_where_missing();
   void publish_what_came();
@@ -34,9 +35,9 @@ class MapRelay {
   std::string host_name_;
   bus::Bus& host_;
   bus::Latest<msg::OccupancyGrid, msg::OccupancyGridPubSubType> maps_;
-  /// While a map from the link is published here.
+  /// Once a map from the link was published here.
   std::optional<bus::Writer<msg::OccupancyGrid, msg::OccupancyGridPubSubType>> brought_;
-  msg::OccupancyGrid brought_id_;  ///< its key alone
+  msg::OccupancyGrid brought_key_;  ///< the newest of them, its key alone
   MapExchange exchange_;
   std::optional<msg::CompressedMap> packed_own_;
   std::unique_ptr<Link> link_;
