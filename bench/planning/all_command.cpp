@@ -1,20 +1,15 @@
 #include "bench/planning/all_command.hpp"
 
-#include <unistd.h>
-
-#include <array>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "bench/planning/records/resumable.hpp"
 #include "bench/planning/report/campaign.hpp"
 #include "bench/planning/report/report.hpp"
+#include "bench/planning/report/run_info.hpp"
 #include "services/common/clock.hpp"
 #include "services/common/file_io.hpp"
 #include "services/common/stop_signal.hpp"
@@ -27,46 +22,6 @@ struct AllArguments {
   CampaignOptions campaign;
   std::string output;
   int threads = 2;
-};
-
-std::string date_of(Time time) {
-  const std::time_t seconds = to_stamp_ns(time) / 1'000'000'000;
-  std::tm date{};
-  gmtime_r(&seconds, &date);
-  std::array<char, 16> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%d", &date);
-  return text.data();
-}
-
-std::string machine() {
-  std::ifstream info("/proc/cpuinfo");
-  std::string model = "unknown processor";
-  for (std::string line; std::getline(info, line);) {
-    if (line.starts_with("model name")) {
-      model = line.substr(line.find(':') + 2);
-      break;
-    }
-  }
-  return model + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores";
-}
-
-/// Says on standard error how far a part is: over itself on a terminal, else now and then a line.
-class PartProgress {
- public:
-  explicit PartProgress(std::string what) : what_(std::move(what)) {}
-  void show(const std::string& last, std::size_t left) {
-    ++done_;
-    const bool on_terminal = isatty(STDERR_FILENO) != 0;
-    const std::size_t all = done_ + left;
-    if (!on_terminal && left > 0 && done_ % 20 != 0) return;
-    std::fprintf(stderr, on_terminal ? "\r%-12s %zu of %zu  %-60.60s" : "%-12s %zu of %zu  %s\n", what_.c_str(), done_,
-                 all, last.c_str());
-    if (on_terminal && left == 0) std::fputc('\n', stderr);
-  }
-
- private:
-  std::string what_;
-  std::size_t done_ = 0;
 };
 
 int run_all(const AllArguments& arguments) {

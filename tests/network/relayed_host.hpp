@@ -31,6 +31,8 @@ class RelayedHost {
   /// Makes readers and writers of this host.
   [[nodiscard]] bus::Bus& bus() { return *bus_; }
   [[nodiscard]] const LabHost& host() const { return host_; }
+  /// What the relay has used of a core so far [s].
+  [[nodiscard]] double relay_cpu_s() const { return relay_->cpu_s(); }
   /// Ends the relay and starts it again.
   void restart_relay();
 
