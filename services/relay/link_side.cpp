@@ -109,7 +109,7 @@ LinkSide::LinkSide(const bus::DomainOptions& options, HostRole role, const Relay
     own_.insert(to.writer->id());
   }
   const auto scan_beams = static_cast<std::size_t>(config.scan_beams);
-  for (const auto& topic : all_topics()) {
+  for (const auto& topic : topics_by_urgency()) {
     if (!carries(rule_of(topic), role, Crossing::HostToLink)) continue;
     outward_.push_back(std::make_unique<OutwardRoute>(topic, host_, link_, scan_beams));
     own_.insert(outward_.back()->writer_id());

@@ -1,5 +1,7 @@
 #include "services/relay/relay_messages.hpp"
 
+#include <algorithm>
+
 #include "services/common/version.hpp"
 #include "services/mapping/map_messages.hpp"
 #include "services/relay/core/packed_cells.hpp"
@@ -12,6 +14,19 @@ ForwardingRule rule_of(const TopicInfo& topic) {
   return {direction == Direction::ToLaptop || direction == Direction::Both,
           direction == Direction::ToRobot || direction == Direction::Both, topic.relay.max_rate_hz,
           topic.relay.max_age_s};
+}
+
+std::vector<TopicInfo> topics_by_urgency() {
+  const auto is_urgent = [](const TopicInfo& topic) {
+    for (const auto& name : {topic::kStopRequest.name, topic::kResumeRequest.name, topic::kTeamPlan.name,
+                             topic::kRobotPose.name, topic::kBaseStatus.name, topic::kMessageReceipt.name}) {
+      if (topic.name == name) return true;
+    }
+    return false;
+  };
+  std::vector<TopicInfo> topics = all_topics();
+  std::stable_partition(topics.begin(), topics.end(), is_urgent);
+  return topics;
 }
 
 msg::LinkHeartbeat to_message(const Heartbeat& heartbeat) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "idl/topics.hpp"
 #include "services/common/site_config.hpp"
@@ -11,6 +12,10 @@
 namespace tandem {
 
 [[nodiscard]] ForwardingRule rule_of(const TopicInfo& topic);
+
+/// All topics, those that the robot cannot do without first. Endpoints are announced in the order in which they are
+/// made, and on a lossy link the last may be known some seconds after the first.
+[[nodiscard]] std::vector<TopicInfo> topics_by_urgency();
 
 [[nodiscard]] msg::LinkHeartbeat to_message(const Heartbeat& heartbeat);
 [[nodiscard]] Heartbeat from_message(const msg::LinkHeartbeat& message);

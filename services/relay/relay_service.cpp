@@ -40,7 +40,7 @@ RelayService::RelayService(const SiteConfig& site, const RelayConfig& config, bu
       monitor_(site.host, from_seconds(config.heartbeat_timeout_s)),
       maps_(site.host, from_seconds(config.map_patience_s), host) {
   if (is_alone()) return;
-  for (const auto& topic : all_topics()) {
+  for (const auto& topic : topics_by_urgency()) {
     if (!carries(rule_of(topic), role_of(site), Crossing::LinkToHost)) continue;
     inward_.push_back({topic, host.raw_writer(topic), {}});
   }

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <queue>
 #include <stdexcept>
 #include <system_error>
@@ -52,6 +53,15 @@ void finish_checksums(const std::string& interface) {
   if (result != 0) fail("checksums of " + interface);
 }
 
+/// ARP asks anew each second, three times, and is then silent for a while: a lost answer would be measured as a gap of
+/// whatever is being tested.
+void ask_again_for_addresses(const std::string& interface) {
+  const std::string folder = "/proc/sys/net/ipv4/neigh/" + interface + "/";
+  std::ofstream{folder + "retrans_time_ms"} << 100;
+  std::ofstream{folder + "ucast_solicit"} << 20;
+  std::ofstream{folder + "mcast_solicit"} << 20;
+}
+
 int raw_socket(const std::string& interface) {
   const int raw = socket(AF_PACKET, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, htons(ETH_P_ALL));
   if (raw < 0) fail("raw socket");
@@ -78,6 +88,7 @@ LabHost::LabHost(std::string name, std::size_t number)
   run([&] {
     run_program({"ip", "link", "set", "lo", "up"});
     finish_checksums("wifi0");
+    ask_again_for_addresses("wifi0");
     run_program({"ip", "address", "add", address_ + "/24", "dev", "wifi0"});
     run_program({"ip", "link", "set", "wifi0", "up"});
     add_routes();
