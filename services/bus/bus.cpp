@@ -6,6 +6,7 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/domain/DomainParticipantFactory.hpp>
@@ -69,7 +70,7 @@ class Bus::Participant {
     if (has_outside_profile(*factory, options, qos)) {
       spdlog::warn("QoS from a Fast DDS profile: profile={} participant={}", kOutsideProfile, options.participant);
     }
-    participant_ = factory->create_participant(static_cast<dds::DomainId_t>(options.domain), qos);
+    participant_ = create(*factory, qos);
     if (participant_ != nullptr) {
       publisher_ = participant_->create_publisher(publisher_qos(options));
       subscriber_ = participant_->create_subscriber(subscriber_qos(options));
@@ -109,6 +110,20 @@ class Bus::Participant {
     const bool arrived = arrived_.wait_for(lock, timeout, [this] { return arrivals_ != seen_; });
     seen_ = arrivals_;
     return arrived;
+  }
+
+  /// Participants with given ids take them in turn. Fast DDS makes the GUID of process and id: one that came back with
+  /// another address but the old id would be taken for the old one, until that is forgotten.
+  [[nodiscard]] dds::DomainParticipant* create(dds::DomainParticipantFactory& factory,
+                                               dds::DomainParticipantQos qos) const {
+    static std::atomic<int> turn = 0;
+    const auto domain = static_cast<dds::DomainId_t>(options_.domain);
+    if (qos.wire_protocol().participant_id < 0) return factory.create_participant(domain, qos);
+    for (int i = 0; i < kLinkIds; ++i) {
+      qos.wire_protocol().participant_id = kFirstLinkId + turn++ % kLinkIds;
+      if (auto* made = factory.create_participant(domain, qos)) return made;
+    }
+    return nullptr;
   }
 
   [[noreturn]] void refuse() const {

@@ -18,7 +18,9 @@ using eprosima::fastrtps::Duration_t;
 
 constexpr std::uint32_t kSocketBuffer = 1 << 20;
 constexpr std::uint64_t kFlowPeriod_ms = 20;
-constexpr int kParticipantsOfAHost = 12;
+constexpr std::uint32_t kFirstPort = 7400;
+constexpr std::uint32_t kPortsOfADomain = 250;
+constexpr std::uint32_t kFirstUnicastPort = 10;
 
 rtps::Locator_t locator_of(const std::string& address, std::uint32_t port) {
   rtps::Locator_t locator;
@@ -63,11 +65,16 @@ void use_servers(dds::WireProtocolConfigQos& wire, const DomainOptions& options)
 
 void use_peers(dds::WireProtocolConfigQos& wire, const DomainOptions& options) {
   auto& builtin = wire.builtin;
-  for (const auto& peer : options.peers) builtin.initialPeersList.push_back(locator_of(peer, 0));
+  const std::uint32_t port = kFirstPort + kPortsOfADomain * static_cast<std::uint32_t>(options.domain);
+  wire.participant_id = kFirstLinkId;
+  for (const auto& peer : options.peers) {
+    for (std::uint32_t id = kFirstLinkId; id < kFirstLinkId + kLinkIds; ++id) {
+      builtin.initialPeersList.push_back(locator_of(peer, port + kFirstUnicastPort + 2 * id));
+    }
+  }
   if (options.discovery == Discovery::Auto) {
     // With its port: without one, Fast DDS 2.9.1 expands a multicast address like a unicast one.
-    builtin.initialPeersList.push_back(
-        locator_of("239.255.0.1", static_cast<std::uint32_t>(7400 + 250 * options.domain)));
+    builtin.initialPeersList.push_back(locator_of("239.255.0.1", port));
   } else {
     // Listening at a unicast address that was given switches multicast off.
     builtin.metatrafficUnicastLocatorList.push_back(locator_of(options.address, 0));
@@ -94,8 +101,7 @@ dds::DomainParticipantQos participant_qos(const DomainOptions& options) {
   udp->receiveBufferSize = kSocketBuffer;
   // On the air one lost fragment of a datagram loses all of it, so a datagram is one frame.
   if (link) udp->maxMessageSize = kLinkDatagram;
-  udp->maxInitialPeersRange = kParticipantsOfAHost;  // default 4: a peer without a port was found among the first only
-  qos.transport().use_builtin_transports = false;    // no shared memory: what it leaves behind survives crashes
+  qos.transport().use_builtin_transports = false;  // no shared memory: what it leaves behind survives crashes
   qos.transport().user_transports.push_back(udp);
 
   auto& wire = qos.wire_protocol();

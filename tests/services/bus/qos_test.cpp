@@ -120,10 +120,11 @@ TEST(Discovery, AutoAnnouncesToPeersAndToTheGroup) {
   options.peers = {"10.0.0.2"};
   const auto qos = participant_qos(options);
   const auto& builtin = qos.wire_protocol().builtin;
-  ASSERT_EQ(builtin.initialPeersList.size(), 2U);
-  EXPECT_EQ(builtin.initialPeersList.begin()->port, 0U);            // every participant of the host is asked
-  EXPECT_EQ((builtin.initialPeersList.begin() + 1)->port, 7'900U);  // 7400 + 2 x 250
-  EXPECT_TRUE(builtin.metatrafficUnicastLocatorList.empty());       // the group is heard
+  std::vector<std::uint32_t> ports;
+  for (const auto& peer : builtin.initialPeersList) ports.push_back(peer.port);
+  // The peer's ids 20, 21 and 22: 7400 + 2 x 250 + 10 + 2 x id; and the group.
+  EXPECT_EQ(ports, (std::vector<std::uint32_t>{7'950, 7'952, 7'954, 7'900}));
+  EXPECT_TRUE(builtin.metatrafficUnicastLocatorList.empty());  // the group is heard
 }
 
 TEST(Discovery, PeersHearNoGroup) {
@@ -131,7 +132,7 @@ TEST(Discovery, PeersHearNoGroup) {
   options.discovery = Discovery::Peers;
   options.peers = {"10.0.0.2"};
   const auto qos = participant_qos(options);
-  EXPECT_EQ(qos.wire_protocol().builtin.initialPeersList.size(), 1U);
+  EXPECT_EQ(qos.wire_protocol().builtin.initialPeersList.size(), 3U);
   EXPECT_EQ(qos.wire_protocol().builtin.metatrafficUnicastLocatorList.size(), 1U);
 }
 
