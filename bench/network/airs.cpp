@@ -7,7 +7,10 @@ namespace tandem::bench {
 test::Conditions conditions_of(const std::string& air) {
   using std::chrono::milliseconds;
   test::Conditions conditions;
-  if (air.starts_with("2M")) conditions.rate_bps = 2e6;
+  if (air.starts_with("2M")) {
+    conditions.rate_bps = 2e6;
+    conditions.burst_bytes = 16'384.0;  // the queue of an access point lets that much through at once
+  }
   const auto loss = air.find("loss");
   if (loss != std::string::npos) {
     conditions.loss = std::stod(air.substr(loss + 4)) / 100.0;

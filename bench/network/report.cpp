@@ -254,7 +254,8 @@ std::map<std::string, std::string> network_report(const std::vector<NetworkRecor
       ".\n\n    " + info.command +
       "\n\nTwo hosts as network namespaces; the air between them loses, each frame on its own and in each direction, "
       "or "
-      "is dead for 300 ms of every second (bursts), or carries 2 Mbit/s with a queue of 300 ms. *default* is Fast DDS "
+      "is dead for 300 ms of every second (bursts), or carries 2 Mbit/s with a queue of 300 ms and bursts of 16 KiB at "
+      "once. *default* is Fast DDS "
       "2.9.1 as it comes, but over UDP alone, with the reliability, durability and depth that the data need. Median "
       "(lowest to highest) of " +
       std::to_string(runs) + " runs. " + std::to_string(failed) + " of " + std::to_string(records.size()) +

@@ -58,10 +58,11 @@ void Air::receive(Host& host, std::size_t to, const Frame& frame, bool multicast
   }
   Time at = now;
   if (conditions.rate_bps > 0.0) {
-    const Time begin = std::max(now, host.queue_free);
+    const auto sending = [&](double bytes) { return from_seconds(8.0 * bytes / conditions.rate_bps); };
+    const Time begin = std::max(now - sending(conditions.burst_bytes), host.queue_free);
     if (begin - now > conditions.queue) return;
-    at = begin + from_seconds(8.0 * static_cast<double>(frame.size()) / conditions.rate_bps);
-    host.queue_free = at;
+    host.queue_free = begin + sending(static_cast<double>(frame.size()));
+    at = std::max(now, host.queue_free);
   }
   at += conditions.delay + Duration{static_cast<std::int64_t>(jitter * static_cast<double>(conditions.jitter.count()))};
   if (reordering < conditions.reordered) {

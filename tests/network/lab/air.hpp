@@ -22,6 +22,7 @@ struct Conditions {
   bool out = false;                                 ///< Nothing arrives at all.
   bool multicast = true;                            ///< False: frames to IPv4 multicast groups are dropped.
   double rate_bps = 0.0;                            ///< Bits per second that fit; 0: no limit.
+  double burst_bytes = 0.0;                         ///< So much passes at once after a pause (token bucket).
   Duration queue = std::chrono::milliseconds{300};  ///< At that rate, a frame that would wait longer is lost.
   Duration delay{};                                 ///< Of every frame.
   Duration jitter{};                                ///< Up to so much more, uniform; the order is kept.

@@ -121,6 +121,18 @@ TEST(Air, QueuesAtItsRateAndLosesWhatDoesNotFitInTheQueue) {
   EXPECT_EQ(air.carry(frame, kRobotPort, at_ms(500)).at(0).at, at_ms(600));
 }
 
+TEST(Air, ABurstPassesAtOnceAfterAPause) {
+  Air air = air_of_three();
+  air.set(kLaptopPort, {.rate_bps = 8'000.0, .burst_bytes = 200.0});  // 100 bytes: 100 ms
+  const Frame frame = frame_to(kLaptop, 100);
+  EXPECT_EQ(air.carry(frame, kRobotPort, at_ms(1000)).at(0).at, at_ms(1000));
+  EXPECT_EQ(air.carry(frame, kRobotPort, at_ms(1000)).at(0).at, at_ms(1000));
+  EXPECT_EQ(air.carry(frame, kRobotPort, at_ms(1000)).at(0).at, at_ms(1100));
+  EXPECT_EQ(air.carry(frame, kRobotPort, at_ms(1300)).at(0).at, at_ms(1300));  // 200 ms of pause: as much again
+  EXPECT_EQ(air.carry(frame, kRobotPort, at_ms(1300)).at(0).at, at_ms(1300));
+  EXPECT_EQ(air.carry(frame, kRobotPort, at_ms(1300)).at(0).at, at_ms(1400));
+}
+
 TEST(Air, JitterKeepsTheOrder) {
   Air air = air_of_three();
   air.set(kLaptopPort, {.delay = milliseconds{10}, .jitter = milliseconds{30}});
