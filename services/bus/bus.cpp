@@ -123,7 +123,8 @@ class Bus::Participant {
       qos.wire_protocol().participant_id = kFirstLinkId + turn++ % kLinkIds;
       if (auto* made = factory.create_participant(domain, qos)) return made;
     }
-    return nullptr;
+    qos.wire_protocol().participant_id = -1;  // all taken: those who name us find us by our own announcements
+    return factory.create_participant(domain, qos);
   }
 
   [[noreturn]] void refuse() const {
