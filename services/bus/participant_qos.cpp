@@ -66,8 +66,14 @@ void use_servers(dds::WireProtocolConfigQos& wire, const DomainOptions& options)
 void use_peers(dds::WireProtocolConfigQos& wire, const DomainOptions& options) {
   auto& builtin = wire.builtin;
   const std::uint32_t port = kFirstPort + kPortsOfADomain * static_cast<std::uint32_t>(options.domain);
-  wire.participant_id = kFirstLinkId;
+  // On loopback several relays share one host, and the group is heard: any id will do.
+  const bool alone_on_its_host = options.address != "127.0.0.1";
+  if (alone_on_its_host) wire.participant_id = kFirstLinkId;
   for (const auto& peer : options.peers) {
+    if (!alone_on_its_host) {
+      builtin.initialPeersList.push_back(locator_of(peer, 0));
+      continue;
+    }
     for (std::uint32_t id = kFirstLinkId; id < kFirstLinkId + kLinkIds; ++id) {
       builtin.initialPeersList.push_back(locator_of(peer, port + kFirstUnicastPort + 2 * id));
     }
