@@ -17,6 +17,7 @@ namespace tandem {
 enum class Delivery {
   SensorStream,  ///< best effort, newest only
   State,         ///< reliable, newest per key, also for late joiners
+  Bulk,          ///< a State of many datagrams: it takes its time on the link, and others do not wait for it
   Command,       ///< best effort, short-lived: the reader stops when it dries up
   Event,         ///< reliable, has an id, repeated until its receipt, applied exactly once
 };
@@ -90,8 +91,12 @@ inline constexpr Topic<TeammateStatePubSubType> kTeammates{"teammates", Delivery
 inline constexpr Topic<TrackedPeoplePubSubType> kPeople{"people", Delivery::SensorStream, relay::to_laptop(2.0)};
 
 // Where the robot is -------------------------------------------------------------------------------------------------
-/// map server -> its host's services; once. Each host has its own map server.
+/// map server -> its host's services; once. The relay brings it to a host that has none, compressed.
 inline constexpr Topic<OccupancyGridPubSubType> kMap{"map", Delivery::State, relay::never()};
+/// relay <-> relay, on change, on the link domain alone.
+inline constexpr Topic<MapHoldingPubSubType> kMapHolding{"map_holding", Delivery::State, relay::never()};
+/// relay -> relay, while one is asked for, on the link domain alone.
+inline constexpr Topic<CompressedMapPubSubType> kCompressedMap{"compressed_map", Delivery::Bulk, relay::never()};
 /// localization -> base, navigator, tracker, planner, gateway; 10-20 Hz.
 inline constexpr Topic<RobotPosePubSubType> kRobotPose{"robot_pose", Delivery::SensorStream,
                                                        relay::to_laptop(10.0, 1.0)};

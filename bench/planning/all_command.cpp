@@ -1,7 +1,5 @@
 #include "bench/planning/all_command.hpp"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -11,6 +9,7 @@
 #include "bench/planning/records/resumable.hpp"
 #include "bench/planning/report/campaign.hpp"
 #include "bench/planning/report/report.hpp"
+#include "bench/planning/report/run_info.hpp"
 #include "services/common/file_io.hpp"
 #include "services/common/stop_signal.hpp"
 
@@ -21,25 +20,6 @@ struct AllArguments {
   CampaignOptions campaign;
   std::string output;
   int threads = 2;
-};
-
-/// Says on standard error how far a part is: over itself on a terminal, else now and then a line.
-class PartProgress {
- public:
-  explicit PartProgress(std::string what) : what_(std::move(what)) {}
-  void show(const std::string& last, std::size_t left) {
-    ++done_;
-    const bool on_terminal = isatty(STDERR_FILENO) != 0;
-    const std::size_t all = done_ + left;
-    if (!on_terminal && left > 0 && done_ % 20 != 0) return;
-    std::fprintf(stderr, on_terminal ? "\r%-12s %zu of %zu  %-60.60s" : "%-12s %zu of %zu  %s\n", what_.c_str(), done_,
-                 all, last.c_str());
-    if (on_terminal && left == 0) std::fputc('\n', stderr);
-  }
-
- private:
-  std::string what_;
-  std::size_t done_ = 0;
 };
 
 int run_all(const AllArguments& arguments) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "idl/topics.hpp"
@@ -17,16 +18,29 @@ namespace tandem::bus {
 /// Real time, or lockstep replay: then every topic is lossless and nothing is timed.
 enum class Pace { RealTime, Lockstep };
 
+/// How the participants of a link find each other.
+enum class Discovery {
+  Auto,       ///< multicast and peers: works where the Wi-Fi drops multicast, and where nobody was named
+  Multicast,  ///< nobody is named
+  Peers,      ///< those that are named, by unicast alone
+  Server,     ///< named participants keep the list for all: few announcements where robots are many
+};
+
+/// The word of site.toml as a value; it must be one of those.
+[[nodiscard]] Discovery discovery_of(std::string_view word);
+
 /// How to join one DDS domain.
 struct DomainOptions {
   enum class Kind { Host, Link };
   Kind kind = Kind::Host;
   int domain = 0;
-  std::string participant;              ///< name shown to others: "planner@laptop1"
-  std::string address = "127.0.0.1";    ///< of the only interface used
-  std::string discovery = "multicast";  ///< multicast, peers, auto
-  std::vector<std::string> peers;
+  std::string participant;            ///< name shown to others: "planner@laptop1"
+  std::string address = "127.0.0.1";  ///< of the only interface used
+  Discovery discovery = Discovery::Multicast;
+  std::vector<std::string> peers;       ///< addresses to announce to, for Auto and Peers
+  std::vector<std::string> servers;     ///< addresses of the discovery servers, for Server; whoever has one is one
   std::vector<std::string> partitions;  ///< teams on the link; empty on a host domain
+  double bulk_rate_bps = 1.6e6;         ///< bits per second that States may take of the link
   Pace pace = Pace::RealTime;
 };
 

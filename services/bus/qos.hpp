@@ -1,6 +1,5 @@
 #pragma once
 
-#include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
 #include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
 #include <fastdds/dds/publisher/qos/PublisherQos.hpp>
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
@@ -8,10 +7,10 @@
 
 #include "services/bus/bus.hpp"
 
-/// The only place that turns a Delivery into DDS QoS.
+/// The only place that turns a Delivery into DDS QoS. Every policy is set, with its reason; docs/network.md shows the
+/// table.
 namespace tandem::bus {
 
-[[nodiscard]] eprosima::fastdds::dds::DomainParticipantQos participant_qos(const DomainOptions& options);
 [[nodiscard]] eprosima::fastdds::dds::PublisherQos publisher_qos(const DomainOptions& options);
 [[nodiscard]] eprosima::fastdds::dds::SubscriberQos subscriber_qos(const DomainOptions& options);
 [[nodiscard]] eprosima::fastdds::dds::DataWriterQos writer_qos(Delivery delivery, const DomainOptions& options);

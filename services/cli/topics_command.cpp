@@ -21,6 +21,8 @@ const char* name_of(Delivery delivery) {
       return "SensorStream";
     case Delivery::State:
       return "State";
+    case Delivery::Bulk:
+      return "Bulk";
     case Delivery::Command:
       return "Command";
     case Delivery::Event:

@@ -14,11 +14,10 @@ Duration monotonic_now() {
 
 }  // namespace
 
-SteadyClock::SteadyClock()
-    : unix_minus_monotonic_(Duration{std::chrono::system_clock::now().time_since_epoch()} - monotonic_now()) {}
-
 Time SteadyClock::now() const {
-  return Time{monotonic_now() + unix_minus_monotonic_};
+  static const Duration unix_minus_monotonic =
+      Duration{std::chrono::system_clock::now().time_since_epoch()} - monotonic_now();
+  return Time{monotonic_now() + unix_minus_monotonic};
 }
 
 void SteadyClock::wait_until(Time time, const std::function<bool()>& interrupted) {

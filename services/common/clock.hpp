@@ -18,15 +18,12 @@ class Clock {
   virtual void wait_until(Time time, const std::function<bool()>& interrupted) = 0;
 };
 
-/// Unix time at construction, then the monotonic clock: a step of the wall clock changes nothing.
+/// Unix time when the process first asked one, then the monotonic clock: a step of the wall clock changes nothing, and
+/// all clocks of a process agree.
 class SteadyClock final : public Clock {
  public:
-  SteadyClock();
   [[nodiscard]] Time now() const override;
   void wait_until(Time time, const std::function<bool()>& interrupted) override;
-
- private:
-  Duration unix_minus_monotonic_;
 };
 
 /// Time that stands still until a test moves it.

@@ -10,15 +10,17 @@ namespace tandem {
 
 /// config/<place>/site.toml: what all services of one host share.
 struct SiteConfig {
-  std::string host = "robot1";             ///< This host's name, unique on the link.
-  std::string role = "robot";              ///< "robot", "laptop", or "both" when everything runs on one host.
-  std::string robot = "robot1";            ///< The robot of this team; on a robot host, its own name.
-  std::string agent = "person1";           ///< The person of this team, a code, never a name.
-  std::int64_t host_domain = 10;           ///< DDS domain of this host's services, bound to 127.0.0.1.
-  std::int64_t link_domain = 20;           ///< DDS domain between the relays.
-  std::string link_address = "127.0.0.1";  ///< Address of the interface the relay uses (Wi-Fi, WireGuard).
-  std::string discovery = "auto";          ///< How relays find each other on the link.
-  std::vector<std::string> peers;          ///< Addresses of the other relays, for "peers" and "auto".
+  std::string host = "robot1";    ///< This host's name, unique on the link.
+  std::string role = "robot";     ///< "robot", "laptop", or "both" when everything runs on one host.
+  std::string robot = "robot1";   ///< The robot of this team; on a robot host, its own name.
+  std::string agent = "person1";  ///< The person of this team, a code, never a name.
+  std::int64_t host_domain = 10;  ///< DDS domain of this host's services, bound to 127.0.0.1.
+  std::int64_t link_domain = 20;  ///< DDS domain between the relays.
+  /// Interface the relay uses (Wi-Fi, WireGuard), whose address it follows: "wlan0"; or one address.
+  std::string link_address = "127.0.0.1";
+  std::string discovery = "auto";    ///< How relays find each other on the link.
+  std::vector<std::string> peers;    ///< Addresses of the other relays, for "peers" and "auto".
+  std::vector<std::string> servers;  ///< Addresses of the relays that keep the list for all, for "server".
 
   template <typename Visitor>
   void visit_fields(Visitor& visitor) {
@@ -29,8 +31,9 @@ struct SiteConfig {
     visitor.field("host_domain", host_domain, Range{0, 101});
     visitor.field("link_domain", link_domain, Range{0, 101});
     visitor.field("link_address", link_address);
-    visitor.field("discovery", discovery, {"auto", "multicast", "peers"});
+    visitor.field("discovery", discovery, {"auto", "multicast", "peers", "server"});
     visitor.field("peers", peers);
+    visitor.field("servers", servers);
   }
 };
 

@@ -15,9 +15,8 @@ int main(int argc, char** argv) try {
   const auto config = load_config<RelayConfig>(options.config_file());
 
   bus::Bus host{bus::host_domain(site, "relay")};
-  bus::Bus link{link_domain(site)};
-  RelayService service{site, config, host, link};
-  spdlog::info("relay ready: host={} role={} host_domain={} link_domain={} address={}", site.host, site.role,
+  RelayService service{site, config, host};
+  spdlog::info("relay ready: host={} role={} host_domain={} link_domain={} link_address={}", site.host, site.role,
                site.host_domain, site.link_domain, site.link_address);
 
   const StopSignal stop;

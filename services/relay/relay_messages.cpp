@@ -1,6 +1,10 @@
 #include "services/relay/relay_messages.hpp"
 
+#include <algorithm>
+
 #include "services/common/version.hpp"
+#include "services/mapping/map_messages.hpp"
+#include "services/relay/core/packed_cells.hpp"
 
 namespace tandem {
 
@@ -10,6 +14,19 @@ ForwardingRule rule_of(const TopicInfo& topic) {
   return {direction == Direction::ToLaptop || direction == Direction::Both,
           direction == Direction::ToRobot || direction == Direction::Both, topic.relay.max_rate_hz,
           topic.relay.max_age_s};
+}
+
+std::vector<TopicInfo> topics_by_urgency() {
+  const auto is_urgent = [](const TopicInfo& topic) {
+    for (const auto& name : {topic::kStopRequest.name, topic::kResumeRequest.name, topic::kTeamPlan.name,
+                             topic::kRobotPose.name, topic::kBaseStatus.name, topic::kMessageReceipt.name}) {
+      if (topic.name == name) return true;
+    }
+    return false;
+  };
+  std::vector<TopicInfo> topics = all_topics();
+  std::stable_partition(topics.begin(), topics.end(), is_urgent);
+  return topics;
 }
 
 msg::LinkHeartbeat to_message(const Heartbeat& heartbeat) {
@@ -60,6 +77,33 @@ msg::LaserScan thinned(const msg::LaserScan& scan, std::size_t most_beams) {
   thin.angle_increment_rad(scan.angle_increment_rad() * static_cast<double>(step));
   thin.beam_interval_s(scan.beam_interval_s() * static_cast<double>(step));
   return thin;
+}
+
+msg::CompressedMap packed(const msg::OccupancyGrid& map) {
+  msg::CompressedMap message;
+  message.map_id(map.map_id());
+  message.sha256(map.sha256());
+  message.resolution_m(map.resolution_m());
+  message.width(map.width());
+  message.height(map.height());
+  message.map_from_grid(map.map_from_grid());
+  message.zstd_cells(packed_cells(map.cells()));
+  return message;
+}
+
+std::optional<msg::OccupancyGrid> unpacked(const msg::CompressedMap& map) {
+  auto cells = unpacked_cells(map.zstd_cells(), std::size_t{map.width()} * map.height());
+  if (!cells) return std::nullopt;
+  msg::OccupancyGrid message;
+  message.map_id(map.map_id());
+  message.sha256(map.sha256());
+  message.resolution_m(map.resolution_m());
+  message.width(map.width());
+  message.height(map.height());
+  message.map_from_grid(map.map_from_grid());
+  message.cells(std::move(*cells));
+  if (!to_grid(message)) return std::nullopt;
+  return message;
 }
 
 }  // namespace tandem

@@ -69,6 +69,8 @@ const std::vector<Row>& rows() {
       // What Vite built, as a table of texts.
       {"gateway/web/", {"gateway/net/"}},
       {"calibration/", with(kCore, {"calibration/", "*/core/"})},
+      // Both sides of the link in a laboratory: ours through relays and bus, the peer through Fast DDS itself.
+      {"bench/network/", with(kShell, {"bench/", "services/relay/", "tests/network/"})},
       {"bench/", with(kCore, {"bench/", "*/core/", "services/planner/remote/"})},
   };
   return table;

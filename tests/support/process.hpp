@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <linux/close_range.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,6 +22,7 @@ class Process {
     arguments.push_back(nullptr);
     id_ = fork();
     if (id_ == 0) {
+      close_range(3, ~0U, CLOSE_RANGE_CLOEXEC);  // the sockets of the test are the test's
       execv(arguments[0], arguments.data());
       _exit(127);
     }

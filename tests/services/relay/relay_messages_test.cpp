@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "services/mapping/map_messages.hpp"
+#include "tests/support/ascii_map.hpp"
+
 namespace tandem {
 namespace {
 
@@ -36,6 +39,25 @@ TEST(RelayMessages, AScanThatFitsIsLeftAlone) {
   msg::LaserScan scan;
   scan.ranges_m(std::vector<float>(180, 1.0F));
   EXPECT_EQ(thinned(scan, 180), scan);
+}
+
+TEST(RelayMessages, AMapComesBackAsItWasAndSmaller) {
+  const auto map = to_message(test::ascii_map(std::vector<std::string>(50, std::string(50, '.'))), "room");
+  const auto sent = packed(map);
+  EXPECT_LT(sent.zstd_cells().size(), 100U);
+  EXPECT_EQ(unpacked(sent), map);
+}
+
+TEST(RelayMessages, AMapThatDoesNotFitItsHashOrItsSizeIsNone) {
+  const auto sent = packed(to_message(test::ascii_map({"###", "#.#", "###"}), "room"));
+  ASSERT_TRUE(unpacked(sent).has_value());
+  auto other_size = sent;
+  other_size.width(4);
+  auto other_hash = sent;
+  other_hash.sha256("0123");
+  auto cut_off = sent;
+  cut_off.zstd_cells().pop_back();
+  for (const auto& wrong : {other_size, other_hash, cut_off}) EXPECT_FALSE(unpacked(wrong).has_value());
 }
 
 }  // namespace

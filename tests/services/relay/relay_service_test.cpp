@@ -17,15 +17,13 @@ struct Host {
   SiteConfig site;
   bus::Bus services;
   bus::Bus relay_host;
-  bus::Bus relay_link;
   RelayService relay;
 
   Host(const std::string& name, const std::string& role, const std::string& robot, int host_domain, int link_domain)
       : site(make_site(name, role, robot, host_domain, link_domain)),
         services(bus::host_domain(site, "test")),
         relay_host(bus::host_domain(site, "relay")),
-        relay_link(tandem::link_domain(site)),
-        relay(site, RelayConfig{}, relay_host, relay_link) {}
+        relay(site, RelayConfig{}, relay_host) {}
 
   static SiteConfig make_site(const std::string& name, const std::string& role, const std::string& robot,
                               int host_domain, int link_domain) {
@@ -38,6 +36,11 @@ struct Host {
     return site;
   }
 };
+
+/// The link of robot1's team, for somebody on the Wi-Fi.
+bus::DomainOptions link_of(const std::string& name, int link_domain) {
+  return tandem::link_domain(Host::make_site(name, "laptop", "robot1", 0, link_domain), RelayConfig{}, "127.0.0.1");
+}
 
 msg::BaseStatus status_of(const std::string& robot) {
   msg::BaseStatus status;
@@ -83,7 +86,7 @@ TEST(Relay, AVelocityOnTheLinkNeverArrives) {
   const test::DomainLease domains{3};
   Host robot{"robot1", "robot", "robot1", domains[0], domains[2]};
   // Somebody on the Wi-Fi, in the team's own partition.
-  bus::Bus intruder{tandem::link_domain(Host::make_site("evil", "laptop", "robot1", domains[1], domains[2]))};
+  bus::Bus intruder{link_of("evil", domains[2])};
   auto velocity = intruder.writer(topic::kVelocityCommand);
   auto stop = intruder.writer(topic::kStopRequest);
   auto velocities = robot.services.in_order(topic::kVelocityCommand);
@@ -142,7 +145,7 @@ TEST(Relay, ADisposedStateIsDisposedOnTheOtherHost) {
 TEST(Relay, DropsMalformedSamplesAtTheDoor) {
   const test::DomainLease domains{3};
   Host robot{"robot1", "robot", "robot1", domains[0], domains[2]};
-  bus::Bus intruder{tandem::link_domain(Host::make_site("evil", "laptop", "robot1", domains[1], domains[2]))};
+  bus::Bus intruder{link_of("evil", domains[2])};
   auto raw = intruder.raw_writer(info_of(topic::kTeamPlan));
   auto good = intruder.writer(topic::kTeamPlan);
   auto plans = robot.services.in_order(topic::kTeamPlan);

@@ -1,0 +1,108 @@
+#include "bench/network/campaign.hpp"
+
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "bench/network/measurements.hpp"
+#include "tests/network/lab/network_namespace.hpp"
+
+namespace tandem::bench {
+namespace {
+
+using Airs = std::vector<std::string>;
+
+struct Part {
+  std::string what;
+  Airs airs;
+  Airs quick_airs;
+  std::function<Figures(const std::string& whose, const std::string& air)> measure;
+};
+
+const std::vector<Part>& parts() {
+  static const Airs kAll{"clean", "loss5", "loss10", "loss20", "loss30", "bursts", "2M", "2M+loss10"};
+  static const Airs kLossy{"clean", "loss10", "loss20", "loss30", "bursts"};
+  static const std::vector<Part> all{
+      {"map300",
+       kAll,
+       {"loss10", "loss20", "2M"},
+       [](const auto& whose, const auto& air) { return map_to_late_joiner(whose, air, 300'000, false); }},
+      {"map60",
+       kAll,
+       {"loss20", "loss30", "2M"},
+       [](const auto& whose, const auto& air) { return map_to_late_joiner(whose, air, 60'000, false); }},
+      {"map300_odometry",
+       {"2M", "2M+loss10"},
+       {"2M"},
+       [](const auto& whose, const auto& air) { return map_to_late_joiner(whose, air, 300'000, true); }},
+      {"message", kLossy, {"clean", "loss20", "loss30"}, messages},
+      {"plan", {"clean", "loss10", "loss20", "loss30", "bursts", "2M"}, {"clean", "loss30"}, plan_and_pose},
+      {"first_data", {"clean", "no_multicast", "loss10", "loss30"}, {"clean", "no_multicast", "loss30"}, first_data},
+      {"outage", {"clean", "loss20"}, {"clean"}, after_outage},
+      {"address", {"clean", "loss20"}, {"clean"}, after_address_change},
+      {"cost_idle",
+       {"clean"},
+       {"clean"},
+       [](const auto& whose, const auto& air) { return cost(whose, air, 1, false); }},
+      {"cost_driving1",
+       {"clean", "loss20"},
+       {"clean"},
+       [](const auto& whose, const auto& air) { return cost(whose, air, 1, true); }},
+      {"cost_driving5",
+       {"clean"},
+       {"clean"},
+       [](const auto& whose, const auto& air) { return cost(whose, air, 5, true); }},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::vector<NetworkRequest> network_campaign(int runs, bool quick) {
+  std::vector<NetworkRequest> requests;
+  // Run by run: one that was stopped early has a little of everything, and ours stands beside the default.
+  for (int run = 1; run <= runs; ++run) {
+    for (const auto& part : parts()) {
+      for (const auto& air : quick ? part.quick_airs : part.airs) {
+        for (const char* whose : {"ours", "default"}) requests.push_back({{part.what, whose, air, run}});
+      }
+    }
+  }
+  return requests;
+}
+
+Figures measured_here(const NetworkKey& key) {
+  if (const std::string reason = test::isolate_network(); !reason.empty()) {
+    throw std::runtime_error("the laboratory cannot run: " + reason);
+  }
+  for (const auto& part : parts()) {
+    if (part.what == key.what) return part.measure(key.whose, key.air);
+  }
+  throw std::invalid_argument("nothing is called " + key.what);
+}
+
+NetworkRecord measured_apart(const NetworkRequest& request, const std::filesystem::path& program,
+                             const std::filesystem::path& log) {
+  const auto& key = request.key;
+  // A measurement that hangs must not hold up the others.
+  const std::string command = "timeout -k 5 180 '" + program.string() + "' cell " + key.what + " " + key.whose + " " +
+                              key.air + " " + std::to_string(key.run) + " 2>>'" + log.string() + "'";
+  NetworkRecord record{key, {}};
+  FILE* output = popen(command.c_str(), "r");
+  if (output == nullptr) return record;
+  std::string said;
+  std::array<char, 4096> part{};
+  while (std::fgets(part.data(), part.size(), output) != nullptr) said += part.data();
+  if (pclose(output) != 0) return record;
+  const auto json = nlohmann::json::parse(said, nullptr, false);
+  if (!json.is_discarded()) record.figures = json.get<Figures>();
+  return record;
+}
+
+std::string text_of(const Figures& figures) {
+  return nlohmann::json(figures).dump();
+}
+
+}  // namespace tandem::bench

@@ -1,0 +1,63 @@
+#include "bench/network/airs.hpp"
+#include "bench/network/measurements.hpp"
+#include "bench/network/stream.hpp"
+
+namespace tandem::bench {
+namespace {
+
+using std::chrono::seconds;
+
+constexpr double kPoseRate_hz = 20.0;
+constexpr Duration kPatience = seconds{20};
+
+/// A robot that sends its pose, and a laptop that has heard it.
+struct Flowing {
+  test::Laboratory lab{{"robot", "laptop"}};
+  std::unique_ptr<Side> robot;
+  std::unique_ptr<Side> laptop;
+  std::unique_ptr<Stream> poses;
+  std::unique_ptr<Listener> listener;
+
+  explicit Flowing(const std::string& whose) {
+    robot = make_side(whose, lab.host("robot"), lab.host("laptop").address());
+    laptop = make_side(whose, lab.host("laptop"), lab.host("robot").address());
+    poses = pose_stream(*robot, kPoseRate_hz);
+    listener = std::make_unique<Listener>(*laptop, info_of(topic::kRobotPose));
+    std::ignore = ms_to_next_pose(*listener, seconds{30});
+    pause(seconds{2});
+  }
+};
+
+}  // namespace
+
+Figures first_data(const std::string& whose, const std::string& air) {
+  test::Laboratory lab{{"robot", "laptop"}};
+  lab.set_all(conditions_of(air));
+  const auto robot = make_side(whose, lab.host("robot"), lab.host("laptop").address());
+  const auto poses = pose_stream(*robot, kPoseRate_hz);
+  pause(seconds{5});  // the robot's first announcements are over
+  const SteadyClock clock;
+  const Time began = clock.now();
+  const auto laptop = make_side(whose, lab.host("laptop"), lab.host("robot").address());
+  Listener listener{*laptop, info_of(topic::kRobotPose)};
+  const double made_ms = to_seconds(clock.now() - began) * 1e3;
+  const double waited_ms = ms_to_next_pose(listener, kPatience);
+  return {{"ms", waited_ms < kNever ? made_ms + waited_ms : kNever}};
+}
+
+Figures after_outage(const std::string& whose, const std::string& air) {
+  Flowing flowing{whose};
+  flowing.lab.set_all({.out = true});
+  pause(seconds{30});
+  flowing.lab.set_all(conditions_of(air));
+  return {{"ms", ms_to_next_pose(*flowing.listener, kPatience)}};
+}
+
+Figures after_address_change(const std::string& whose, const std::string& air) {
+  Flowing flowing{whose};
+  flowing.lab.set_all(conditions_of(air));
+  flowing.lab.host("robot").change_address("10.66.0.22");
+  return {{"ms", ms_to_next_pose(*flowing.listener, kPatience)}};
+}
+
+}  // namespace tandem::bench

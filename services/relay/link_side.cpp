@@ -1,0 +1,142 @@
+#include "services/relay/link_side.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include "services/bus/payload_type.hpp"
+#include "services/relay/relay_messages.hpp"
+
+namespace tandem {
+namespace {
+
+/// How long after joining the link a State that still lives has come again.
+constexpr Duration kResynchronised = std::chrono::seconds{10};
+
+}  // namespace
+
+/// A topic from the host's services to the link.
+class LinkSide::OutwardRoute {
+ public:
+  OutwardRoute(const TopicInfo& topic, bus::Bus& host, bus::Bus& link, std::size_t scan_beams)
+      : thins_scans_(topic.name == topic::kScan.name),
+        scan_beams_(scan_beams),
+        gate_(rule_of(topic)),
+        box_(std::make_shared<bus::InOrderBox>(1000)),
+        writer_(link.raw_writer(topic)),
+        subscription_(host.subscribe(topic, box_)) {}
+
+  [[nodiscard]] bus::WriterId writer_id() const { return writer_->id(); }
+
+  void forward(Time now, const std::set<bus::WriterId>& own) {
+    for (const auto& sample : box_->take()) {
+      if (own.contains(sample.writer)) continue;
+      if (sample.kind != bus::RawSample::Kind::Data) {
+        writer_->dispose(sample.key);
+      } else if (gate_.passes(sample.key, now, to_seconds(now - sample.source_time))) {
+        writer_->write(thins_scans_ ? thinned_payload(sample.payload) : sample.payload, sample.key, sample.source_time);
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] std::vector<std::uint8_t> thinned_payload(const std::vector<std::uint8_t>& payload) const {
+    const auto scan = bus::decode<msg::LaserScanPubSubType>(payload);
+    return scan ? bus::encode<msg::LaserScanPubSubType>(thinned(*scan, scan_beams_)) : payload;
+  }
+
+  bool thins_scans_;
+  std::size_t scan_beams_;
+  ForwardingGate gate_;
+  std::shared_ptr<bus::InOrderBox> box_;  // shared with the subscription, which may still be filling it at the end
+  std::unique_ptr<bus::RawWriter> writer_;
+  std::unique_ptr<bus::Subscription> subscription_;
+};
+
+/// A topic from the link to the host's services.
+class LinkSide::InwardRoute {
+ public:
+  InwardRoute(InwardTopic& to, bus::Bus& link)
+      : to_(to),
+        type_(to.topic),
+        gate_(rule_of(to.topic)),
+        box_(std::make_shared<bus::InOrderBox>(1000)),
+        subscription_(link.subscribe(to.topic, box_)),
+        joined_(link.clock().now()) {
+    to_.ledger.begin_round();
+  }
+
+  void forward(Time now, std::optional<Duration> clock_offset, const std::set<bus::WriterId>& own) {
+    for (const auto& sample : box_->take()) {
+      if (own.contains(sample.writer)) continue;
+      if (sample.kind != bus::RawSample::Kind::Data) {
+        to_.writer->dispose(sample.key);
+        to_.ledger.ended(sample.key);
+        continue;
+      }
+      // The source's clock is the peer's.
+      const Time source_time = sample.source_time - clock_offset.value_or(Duration::zero());
+      const double age_s = clock_offset ? to_seconds(now - source_time) : 0.0;
+      if (!gate_.passes(sample.key, now, age_s)) continue;
+      if (!type_.is_well_formed(sample.payload)) {  // the link is outside: nothing malformed enters the house
+        spdlog::warn("malformed sample dropped: topic={} bytes={}", to_.topic.name, sample.payload.size());
+        continue;
+      }
+      to_.writer->write(sample.payload, sample.key, source_time);
+      if (to_.topic.delivery == Delivery::State) to_.ledger.came(sample.key);
+    }
+    if (now - joined_ < kResynchronised) return;
+    for (const auto& key : to_.ledger.take_missing()) to_.writer->dispose(key);
+  }
+
+ private:
+  InwardTopic& to_;
+  bus::PayloadType type_;
+  ForwardingGate gate_;
+  std::shared_ptr<bus::InOrderBox> box_;
+  std::unique_ptr<bus::Subscription> subscription_;
+  Time joined_;
+};
+
+LinkSide::LinkSide(const bus::DomainOptions& options, HostRole role, const RelayConfig& config, bus::Bus& host,
+                   std::vector<InwardTopic>& inward, ClockOffset clock_offset)
+    : address_(options.address),
+      host_(host),
+      link_(options),
+      clock_offset_(std::move(clock_offset)),
+      heartbeats_out_(link_.writer(topic::kLinkHeartbeat)),
+      heartbeats_in_(link_.in_order(topic::kLinkHeartbeat)) {
+  for (auto& to : inward) {
+    inward_.push_back(std::make_unique<InwardRoute>(to, link_));
+    own_.insert(to.writer->id());
+  }
+  const auto scan_beams = static_cast<std::size_t>(config.scan_beams);
+  for (const auto& topic : topics_by_urgency()) {
+    if (!carries(rule_of(topic), role, Crossing::HostToLink)) continue;
+    outward_.push_back(std::make_unique<OutwardRoute>(topic, host_, link_, scan_beams));
+    own_.insert(outward_.back()->writer_id());
+  }
+  outward_thread_ = std::thread{[this] { carry_out(); }};
+  inward_thread_ = std::thread{[this] { carry_in(); }};
+}
+
+LinkSide::~LinkSide() {
+  ended_ = true;
+  outward_thread_.join();
+  inward_thread_.join();
+}
+
+void LinkSide::carry_out() {
+  while (!ended_) {
+    host_.wait(std::chrono::milliseconds{100});
+    for (auto& route : outward_) route->forward(host_.clock().now(), own_);
+  }
+}
+
+void LinkSide::carry_in() {
+  while (!ended_) {
+    link_.wait(std::chrono::milliseconds{100});
+    const auto offset = clock_offset_();
+    for (auto& route : inward_) route->forward(link_.clock().now(), offset, own_);
+  }
+}
+
+}  // namespace tandem

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "services/bus/bus.hpp"
+#include "tests/network/lab/laboratory.hpp"
+#include "tests/support/process.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace tandem::test {
+
+/// How the relay of a host of a laboratory joins the link.
+struct RelayOptions {
+  std::string role = "robot";
+  std::string robot = "robot1";
+  int host_domain = 0;
+  int link_domain = 0;
+  std::string link_address = "wifi0";  ///< an address, or the interface whose address is followed
+  std::string discovery = "auto";
+  std::vector<std::string> peers{};
+  std::vector<std::string> servers{};
+};
+
+/// The relay of a host of a laboratory, as a process, and a bus for the services of that host, in the test's process.
+class RelayedHost {
+ public:
+  RelayedHost(LabHost& host, const RelayOptions& options);
+
+  /// Makes readers and writers of this host.
+  [[nodiscard]] bus::Bus& bus() { return *bus_; }
+  [[nodiscard]] const LabHost& host() const { return host_; }
+  /// What the relay has used of a core so far [s].
+  [[nodiscard]] double relay_cpu_s() const { return relay_->cpu_s(); }
+  /// Ends the relay and starts it again.
+  void restart_relay();
+
+ private:
+  void start_relay();
+
+  LabHost& host_;
+  TemporaryFolder config_;
+  std::unique_ptr<bus::Bus> bus_;
+  std::unique_ptr<Process> relay_;
+};
+
+}  // namespace tandem::test
