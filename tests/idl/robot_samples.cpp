@@ -184,6 +184,29 @@ msg::OccupancyGrid filled() {
 }
 
 template <>
+msg::MapHolding filled() {
+  msg::MapHolding message;
+  message.host("host-1");
+  message.sha256("sha256-2");
+  return message;
+}
+
+template <>
+msg::CompressedMap filled() {
+  msg::CompressedMap message;
+  message.map_id("map-id-1");
+  message.sha256("sha256-2");
+  message.resolution_m(3.5);
+  message.width(4);
+  message.height(5);
+  message.map_from_grid().x(6.5);
+  message.map_from_grid().y(7.5);
+  message.map_from_grid().heading(8.5);
+  message.zstd_cells({9, 10});
+  return message;
+}
+
+template <>
 msg::RobotPose filled() {
   msg::RobotPose message;
   message.robot("robot-1");

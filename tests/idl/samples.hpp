@@ -33,6 +33,10 @@ template <>
 template <>
 [[nodiscard]] msg::OccupancyGrid filled();
 template <>
+[[nodiscard]] msg::MapHolding filled();
+template <>
+[[nodiscard]] msg::CompressedMap filled();
+template <>
 [[nodiscard]] msg::RobotPose filled();
 template <>
 [[nodiscard]] msg::PoseHint filled();

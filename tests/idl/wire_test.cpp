@@ -39,6 +39,7 @@ const std::vector<Case>& cases() {
                                      case_of(topic::kScan),           case_of(topic::kCameraImage),
                                      case_of(topic::kDetection),      case_of(topic::kTeammates),
                                      case_of(topic::kPeople),         case_of(topic::kMap),
+                                     case_of(topic::kMapHolding),     case_of(topic::kCompressedMap),
                                      case_of(topic::kRobotPose),      case_of(topic::kPoseHint),
                                      case_of(topic::kTeamPlan),       case_of(topic::kPlannerStatus),
                                      case_of(topic::kPlanExecution),  case_of(topic::kInform),

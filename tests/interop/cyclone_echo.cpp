@@ -37,6 +37,8 @@ const std::map<std::string, const dds_topic_descriptor_t*> kTypes{
     {"teammates", &tandem_msg_TeammateState_desc},
     {"people", &tandem_msg_TrackedPeople_desc},
     {"map", &tandem_msg_OccupancyGrid_desc},
+    {"map_holding", &tandem_msg_MapHolding_desc},
+    {"compressed_map", &tandem_msg_CompressedMap_desc},
     {"robot_pose", &tandem_msg_RobotPose_desc},
     {"pose_hint", &tandem_msg_PoseHint_desc},
     {"team_plan", &tandem_msg_TeamPlan_desc},

@@ -27,6 +27,7 @@ const char* word_of(Delivery delivery) {
     case Delivery::SensorStream:
       return "stream";
     case Delivery::State:
+    case Delivery::Bulk:
       return "state";
     case Delivery::Command:
       return "command";
@@ -110,6 +111,8 @@ TEST_F(Interop, EveryTopicComesBackUnchanged) {
   exchange(topic::kTeammates);
   exchange(topic::kPeople);
   exchange(topic::kMap);
+  exchange(topic::kMapHolding);
+  exchange(topic::kCompressedMap);
   exchange(topic::kRobotPose);
   exchange(topic::kPoseHint);
   exchange(topic::kTeamPlan);
