@@ -4,7 +4,14 @@
 //   cyclone_echo FROM TO [TOPIC:DELIVERY ...]     DELIVERY: stream, state, command, event
 //
 // Says "ready" once it listens, and ends when its input ends.
+#include <base.h>
+#include <dds/dds.h>
+#include <human.h>
+#include <localization.h>
+#include <perception.h>
+#include <planning.h>
 #include <poll.h>
+#include <system.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -13,14 +20,6 @@
 #include <map>
 #include <string>
 #include <vector>
-
-#include "base.h"
-#include "dds/dds.h"
-#include "human.h"
-#include "localization.h"
-#include "perception.h"
-#include "planning.h"
-#include "system.h"
 
 namespace {
 
