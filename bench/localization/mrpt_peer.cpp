@@ -3,15 +3,13 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
-#include <array>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
 #include "services/common/file_io.hpp"
+#include "services/common/format.hpp"
 #include "services/localization/core/odometry_history.hpp"
 
 namespace tandem::bench {
@@ -58,15 +56,6 @@ init_PDF_mode=1
 SHOW_PROGRESS_3D_REAL_TIME=false
 )";
 
-__attribute__((format(printf, 1, 2))) std::string text(const char* format, ...) {
-  std::array<char, 1000> buffer{};
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(buffer.data(), buffer.size(), format, arguments);
-  va_end(arguments);
-  return buffer.data();
-}
-
 void run(const std::string& command) {
   if (const int status = std::system((command + " </dev/null").c_str()); status != 0) {
     throw std::runtime_error{command + ": failed with status " + std::to_string(status)};
@@ -96,17 +85,17 @@ std::string carmen_log(const RecordedLog& log, std::vector<Time>& scan_times) {
     const auto odometry = history.at(scan.time);
     if (!odometry) continue;
     const std::size_t count = scan.ranges_m.size();
-    lines += text("ROBOTLASER1 0 %.9f %.9f %.9f %.1f 0.01 0 %zu", scan.angle_min_rad,
-                  scan.angle_increment_rad * static_cast<double>(count - 1), scan.angle_increment_rad, scan.range_max_m,
-                  count);
+    lines += formatted("ROBOTLASER1 0 %.9f %.9f %.9f %.1f 0.01 0 %zu", scan.angle_min_rad,
+                       scan.angle_increment_rad * static_cast<double>(count - 1), scan.angle_increment_rad,
+                       scan.range_max_m, count);
     for (const float range : scan.ranges_m) {
       const double range_m = std::isfinite(range) ? static_cast<double>(range) : scan.range_max_m + 1.0;
-      lines += text(" %.3f", range_m);
+      lines += formatted(" %.3f", range_m);
     }
     const Pose2& pose = odometry->odom_from_base;
-    const std::string place = text(" %.6f %.6f %.6f", pose.x, pose.y, pose.heading);
+    const std::string place = formatted(" %.6f %.6f %.6f", pose.x, pose.y, pose.heading);
     const double time_s = to_seconds(scan.time.time_since_epoch());
-    lines += " 0" + place + place + text(" 0 0 0 0 0 %.6f host %.6f\n", time_s, time_s);
+    lines += " 0" + place + place + formatted(" 0 0 0 0 0 %.6f host %.6f\n", time_s, time_s);
     scan_times.push_back(scan.time);
   }
   return lines;
@@ -117,12 +106,12 @@ std::string settings(const RecordedLog& log, std::size_t particles, const std::f
   const double heading_deg = to_degrees(start.heading);
   const std::string map = (folder / log.map_file.stem()).string() + ".gridmap.gz";
   return kSettings +
-         text("map_file=%s\nrawlog_file=%s\nlogOutput_dir=%s\nparticles_count=%zu\n", map.c_str(),
-              (folder / "log.rawlog").c_str(), (folder / "out").c_str(), particles) +
-         text("init_PDF_min_x=%.3f\ninit_PDF_max_x=%.3f\ninit_PDF_min_y=%.3f\ninit_PDF_max_y=%.3f\n", start.x - kAround,
-              start.x + kAround, start.y - kAround, start.y + kAround) +
-         text("init_PDF_min_yaw_deg=%.2f\ninit_PDF_max_yaw_deg=%.2f\n", heading_deg - to_degrees(kAround),
-              heading_deg + to_degrees(kAround));
+         formatted("map_file=%s\nrawlog_file=%s\nlogOutput_dir=%s\nparticles_count=%zu\n", map.c_str(),
+                   (folder / "log.rawlog").c_str(), (folder / "out").c_str(), particles) +
+         formatted("init_PDF_min_x=%.3f\ninit_PDF_max_x=%.3f\ninit_PDF_min_y=%.3f\ninit_PDF_max_y=%.3f\n",
+                   start.x - kAround, start.x + kAround, start.y - kAround, start.y + kAround) +
+         formatted("init_PDF_min_yaw_deg=%.2f\ninit_PDF_max_yaw_deg=%.2f\n", heading_deg - to_degrees(kAround),
+                   heading_deg + to_degrees(kAround));
 }
 
 /// Of each line "... PDF estimation: (x,y,heading deg), ..." in turn.

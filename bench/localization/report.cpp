@@ -2,9 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 
 #include "bench/localization/map_fit.hpp"
@@ -13,6 +11,7 @@
 #include "bench/localization/trials.hpp"
 #include "services/common/config.hpp"
 #include "services/common/file_io.hpp"
+#include "services/common/format.hpp"
 #include "services/common/version.hpp"
 #include "services/localization/core/trajectory_picture.hpp"
 #include "services/mapping/core/sha256.hpp"
@@ -24,15 +23,6 @@ constexpr double kReferenceM = 0.055;  ///< how good the reference poses are, by
 constexpr double kReferenceDeg = 1.0;  ///< ... at least
 constexpr double kTrialWayM = 35.0;
 constexpr double kKidnapWayM = 15.0;
-
-__attribute__((format(printf, 1, 2))) std::string line(const char* format, ...) {
-  std::array<char, 1000> text{};
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text.data(), text.size(), format, arguments);
-  va_end(arguments);
-  return text.data();
-}
 
 /// Names the parameters, as `tandem localize` does.
 std::string hash_of(LocalizationConfig config) {
@@ -63,10 +53,10 @@ std::string tracking_row(const RecordedLog& log, LocalizationConfig config, cons
   if (what == "default") {
     write_file_atomically(options.output / (log.name + ".svg"), trajectory_picture(log.map, way, {.truth = log.truth}));
   }
-  return line("| %s | %s | %zu | %.4f / %.2f | %.2f | %.4f | %.2f | %.4f | %.2f, %.2f, %.2f | %s |\n", log.name.c_str(),
-              what.c_str(), errors.compared, errors.rmse_m, errors.rmse_deg, errors.max_m, errors.lost_share,
-              errors.nees, errors.status_wrong_share, mean_ms, times_ms[times_ms.size() / 2],
-              times_ms[times_ms.size() * 95 / 100], hash.c_str());
+  return formatted("| %s | %s | %zu | %.4f / %.2f | %.2f | %.4f | %.2f | %.4f | %.2f, %.2f, %.2f | %s |\n",
+                   log.name.c_str(), what.c_str(), errors.compared, errors.rmse_m, errors.rmse_deg, errors.max_m,
+                   errors.lost_share, errors.nees, errors.status_wrong_share, mean_ms, times_ms[times_ms.size() / 2],
+                   times_ms[times_ms.size() * 95 / 100], hash.c_str());
 }
 
 /// Rows of both localizers side by side, on the same scans and the same map.
@@ -74,9 +64,9 @@ std::string peer_rows(const RecordedLog& log, const LocalizationConfig& config) 
   const auto row = [&](const std::string& who, const std::vector<EstimatedPose>& poses, double update_ms,
                        const std::string& hash) {
     const TrajectoryErrors errors = errors_of(poses, log.truth, 0.0, {});
-    return line("| %s | %s | %zu | %.3f / %.2f | %.2f | %.4f | %.2f | %s |\n", log.name.c_str(), who.c_str(),
-                errors.compared, errors.rmse_m, errors.rmse_deg, errors.max_m, errors.lost_share, update_ms,
-                hash.c_str());
+    return formatted("| %s | %s | %zu | %.3f / %.2f | %.2f | %.4f | %.2f | %s |\n", log.name.c_str(), who.c_str(),
+                     errors.compared, errors.rmse_m, errors.rmse_deg, errors.max_m, errors.lost_share, update_ms,
+                     hash.c_str());
   };
   LocalizationConfig started = config;
   const Pose2 first = log.truth.front().map_from_base;
@@ -113,8 +103,9 @@ std::string untold_rows(const LocalizationConfig& config, const CampaignOptions&
     std::vector<TimedPose> way;
     for (const RunStep& step : steps) way.push_back({step.result.time, step.result.map_from_base});
     write_file_atomically(options.output / (log.name + ".svg"), trajectory_picture(log.map, way, {}));
-    rows += line("| %s | %zu | %zu | %.3f | %.1f | %.3f | %.3f | %.2f | %s |\n", name, fit.scans, fit.poses,
-                 fit.ok_share, fit.first_ok_s, fit.near_wall, fit.near_wall_ok, fit.update_ms, hash_of(config).c_str());
+    rows += formatted("| %s | %zu | %zu | %.3f | %.1f | %.3f | %.3f | %.2f | %s |\n", name, fit.scans, fit.poses,
+                      fit.ok_share, fit.first_ok_s, fit.near_wall, fit.near_wall_ok, fit.update_ms,
+                      hash_of(config).c_str());
   }
   return rows;
 }
@@ -122,9 +113,9 @@ std::string untold_rows(const LocalizationConfig& config, const CampaignOptions&
 std::string trial_rows(const std::string& log, const std::string& what, const std::vector<Trial>& trials) {
   std::string rows;
   for (const Trial& trial : trials) {
-    rows += line("| %s | %s | %.0f | %.1f | %.1f | %.1f | %d of %d | %.2f / %.1f | %s | %.0f |\n", log.c_str(),
-                 what.c_str(), trial.start_s, trial.settled_m, trial.right_m, trial.flagged_s, trial.wrong_ok,
-                 trial.scans, trial.final_m, trial.final_deg, trial.final_status.c_str(), trial.slowest_ms);
+    rows += formatted("| %s | %s | %.0f | %.1f | %.1f | %.1f | %d of %d | %.2f / %.1f | %s | %.0f |\n", log.c_str(),
+                      what.c_str(), trial.start_s, trial.settled_m, trial.right_m, trial.flagged_s, trial.wrong_ok,
+                      trial.scans, trial.final_m, trial.final_deg, trial.final_status.c_str(), trial.slowest_ms);
   }
   return rows;
 }
@@ -142,8 +133,8 @@ std::string trial_summary(const std::string& log, const std::string& what, const
     wrong += trial.wrong_ok;
     way_m += std::max(0.0, trial.right_m) / static_cast<double>(trials.size());
   }
-  return line("| %s | %s | %td of %zu | %td of %zu | %.1f | %d |\n", log.c_str(), what.c_str(), found, trials.size(),
-              flagged, trials.size(), way_m, wrong);
+  return formatted("| %s | %s | %td of %zu | %td of %zu | %.1f | %d |\n", log.c_str(), what.c_str(), found,
+                   trials.size(), flagged, trials.size(), way_m, wrong);
 }
 
 std::string simulated_rows(const LocalizationConfig& config, int drives) {
@@ -158,9 +149,9 @@ std::string simulated_rows(const LocalizationConfig& config, int drives) {
           MotionNoise{config.forward_per_m, config.sideways_per_m, config.turn_per_rad, config.turn_per_m, 0.0, 0.0}
               .times(0.5);
       const SimulatedErrors e = simulated_errors(config, options, static_cast<std::uint64_t>(drives));
-      rows += line("| %s | %.2f | %zu | %.2f | %.4f, %.4f, %.5f | %.4f, %.4f, %.5f | %s |\n",
-                   corridor ? "blank corridor" : "hall", deviation_m, e.scans, e.nees, e.along_m, e.across_m,
-                   e.turn_rad, e.claimed_along_m, e.claimed_across_m, e.claimed_turn_rad, hash_of(config).c_str());
+      rows += formatted("| %s | %.2f | %zu | %.2f | %.4f, %.4f, %.5f | %.4f, %.4f, %.5f | %s |\n",
+                        corridor ? "blank corridor" : "hall", deviation_m, e.scans, e.nees, e.along_m, e.across_m,
+                        e.turn_rad, e.claimed_along_m, e.claimed_across_m, e.claimed_turn_rad, hash_of(config).c_str());
     }
   }
   return rows;

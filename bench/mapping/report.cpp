@@ -1,29 +1,19 @@
 #include "bench/mapping/report.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdarg>
 #include <cstdio>
 
 #include "bench/mapping/log_map.hpp"
 #include "bench/mapping/revisits.hpp"
 #include "bench/planning/report/plot.hpp"
 #include "services/common/file_io.hpp"
+#include "services/common/format.hpp"
 #include "services/common/version.hpp"
 #include "services/localization/core/trajectory_picture.hpp"
 #include "services/mapping/core/map_check.hpp"
 
 namespace tandem::bench {
 namespace {
-
-__attribute__((format(printf, 1, 2))) std::string line(const char* format, ...) {
-  std::array<char, 1000> text{};
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text.data(), text.size(), format, arguments);
-  va_end(arguments);
-  return text.data();
-}
 
 /// A way of building whose figures are shown.
 struct Variant {
@@ -81,19 +71,19 @@ void add_rows(const MappingLog& log, const Variant& variant, const LogMap& resul
   if (!log.relations.empty()) {
     const RelationErrors e = relation_errors_of(result.map.trajectory, log.relations, log.relation_offset_s);
     results.accuracy +=
-        line("| %s | %s | %zu of %zu | %.4f ± %.4f | %.3f ± %.3f | %s |\n", log.name.c_str(), variant.name.c_str(),
-             e.compared, log.relations.size(), e.mean_m, e.deviation_m, e.mean_deg, e.deviation_deg, hash.c_str());
+        formatted("| %s | %s | %zu of %zu | %.4f ± %.4f | %.3f ± %.3f | %s |\n", log.name.c_str(), variant.name.c_str(),
+                  e.compared, log.relations.size(), e.mean_m, e.deviation_m, e.mean_deg, e.deviation_deg, hash.c_str());
   }
   const FormErrors form = form_errors_of(result.scan_poses, log.truth, 0.0);
   const auto errors = revisit_errors_m(revisits_of(log.truth, {}), result.scan_poses);
-  results.form += line("| %s | %s | %zu, %zu | %.2f / %.2f | %zu: %.2f, %.2f, %.2f | %s |\n", log.name.c_str(),
-                       variant.name.c_str(), result.map.closures.size(), result.map.rejected, form.rmse_m, form.max_m,
-                       errors.size(), quantile(errors, 0.5), quantile(errors, 0.95),
-                       errors.empty() ? 0.0 : errors.back(), hash.c_str());
-  const std::string times = log.has_clock ? line("%.0f", result.recorded_s / result.cpu_s) : "no clock";
-  results.cost += line("| %s | %s | %zu of %zu | %zu | %.0f | %.0f | %.1f | %s | %.0f | %s |\n", log.name.c_str(),
-                       variant.name.c_str(), result.map.scan_poses.size(), result.scans, result.map.nodes, log.way_m,
-                       result.recorded_s, result.cpu_s, times.c_str(), result.peak_mb, hash.c_str());
+  results.form += formatted("| %s | %s | %zu, %zu | %.2f / %.2f | %zu: %.2f, %.2f, %.2f | %s |\n", log.name.c_str(),
+                            variant.name.c_str(), result.map.closures.size(), result.map.rejected, form.rmse_m,
+                            form.max_m, errors.size(), quantile(errors, 0.5), quantile(errors, 0.95),
+                            errors.empty() ? 0.0 : errors.back(), hash.c_str());
+  const std::string times = log.has_clock ? formatted("%.0f", result.recorded_s / result.cpu_s) : "no clock";
+  results.cost += formatted("| %s | %s | %zu of %zu | %zu | %.0f | %.0f | %.1f | %s | %.0f | %s |\n", log.name.c_str(),
+                            variant.name.c_str(), result.map.scan_poses.size(), result.scans, result.map.nodes,
+                            log.way_m, result.recorded_s, result.cpu_s, times.c_str(), result.peak_mb, hash.c_str());
 }
 
 void draw(const MappingLog& log, const LogMap& result, const MappingCampaign& campaign, Results& results) {
@@ -108,9 +98,9 @@ void draw(const MappingLog& log, const LogMap& result, const MappingCampaign& ca
   write_file_atomically(
       campaign.output / (log.name + ".svg"),
       trajectory_picture(result.map.grid, result.map.scan_poses, {.truth = truth, .closures = closures}));
-  results.pictures += line("%s: %.0f x %.0f m, %.0f m² free, `map check`: %s\n\n![%s](%s.svg)\n\n", log.name.c_str(),
-                           check.summary.width_m, check.summary.height_m, check.summary.free_m2,
-                           has_faults(check) ? "faults" : "no faults", log.name.c_str(), log.name.c_str());
+  results.pictures += formatted("%s: %.0f x %.0f m, %.0f m² free, `map check`: %s\n\n![%s](%s.svg)\n\n",
+                                log.name.c_str(), check.summary.width_m, check.summary.height_m, check.summary.free_m2,
+                                has_faults(check) ? "faults" : "no faults", log.name.c_str(), log.name.c_str());
   if (!log.relations.empty()) {
     results.relation_curves.push_back(distribution_of(log.name, relation_distances_m(log, result)));
   }
@@ -119,8 +109,9 @@ void draw(const MappingLog& log, const LogMap& result, const MappingCampaign& ca
 std::string reference_row(const MappingLog& log) {
   if (log.relations.empty()) return "";
   const RelationErrors e = relation_errors_of(log.truth, log.relations, log.relation_offset_s);
-  return line("| %s | the reference, straight between its scans | %zu of %zu | %.4f ± %.4f | %.3f ± %.3f | |\n",
-              log.name.c_str(), e.compared, log.relations.size(), e.mean_m, e.deviation_m, e.mean_deg, e.deviation_deg);
+  return formatted("| %s | the reference, straight between its scans | %zu of %zu | %.4f ± %.4f | %.3f ± %.3f | |\n",
+                   log.name.c_str(), e.compared, log.relations.size(), e.mean_m, e.deviation_m, e.mean_deg,
+                   e.deviation_deg);
 }
 
 std::string report_text(const Results& results) {
