@@ -4,9 +4,15 @@
 #include <cmath>
 
 #include "bench/localization/log_run.hpp"
+#include "services/common/random.hpp"
 #include "services/localization/core/trajectory_errors.hpp"
 
 namespace tandem::bench {
+namespace {
+
+constexpr std::uint64_t kOtherDraws = 1000;  ///< Starts are drawn apart from drives.
+
+}  // namespace
 
 SimulatedErrors simulated_errors(const LocalizationConfig& config, const DriveOptions& options, std::uint64_t drives) {
   SimulatedErrors errors;
@@ -14,7 +20,9 @@ SimulatedErrors simulated_errors(const LocalizationConfig& config, const DriveOp
   Eigen::Matrix3d claimed = Eigen::Matrix3d::Zero();
   for (std::uint64_t seed = 1; seed <= drives; ++seed) {
     const RecordedLog log = simulated_drive(seed, options);
-    const Pose2 first = log.truth.front().map_from_base;
+    Rng rng{seed + kOtherDraws};
+    const MotionDeviation start{config.start_deviation_m, config.start_deviation_m, config.start_deviation_m};
+    const Pose2 first = sampled_motion(log.truth.front().map_from_base, start, rng);
     RunOptions run{.config = config};
     run.config.start = {first.x, first.y, first.heading};
     for (const RunStep& step : run_log(log, run)) {

@@ -17,7 +17,7 @@ struct SimulatedErrors {
   double claimed_turn_rad = 0.0;
 };
 
-/// Drives with seeds 1, 2, ... `drives`, each from its true start.
+/// Drives with seeds 1, 2, ... `drives`, each from a start that is as wrong as `config` says starts are.
 [[nodiscard]] SimulatedErrors simulated_errors(const LocalizationConfig& config, const DriveOptions& options,
                                                std::uint64_t drives);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "services/common/config.hpp"
+#include "services/localization/core/motion_noise.hpp"
 
 namespace tandem {
 
@@ -16,16 +17,11 @@ struct LocalizationConfig {
   double start_deviation_m = 0.1;  ///< Standard deviation of the start pose; its heading: the same in rad.
   bool start_globally = false;     ///< Without a start pose: look for the robot on the whole map.
 
-  double forward_per_m = 0.12;        ///< Odometry: deviation of the distance per metre driven.
-  double sideways_per_m = 0.05;       ///< ... of the drift sideways per metre driven.
-  double turn_per_rad = 0.12;         ///< ... of the turn per radian turned [rad].
-  double turn_per_m = 0.06;           ///< ... of the turn per metre driven [rad].
-  double drift_m = 0.01;              ///< ... of the position at each update, however small the motion.
-  double drift_rad = 0.005;           ///< ... of the heading at each update.
-  double odometry_max_age_s = 0.2;    ///< A scan without odometry this recent is not used.
-  double prediction_max_age_s = 0.5;  ///< The pose goes on by odometry for this long after the last scan.
-  double distrust_factor = 4.0;       ///< Odometry noise is multiplied by this after it was caught wrong ...
-  double distrust_s = 4.0;            ///< ... for this long.
+  MotionNoise wheels = kUncalibratedWheels;  ///< How wrong odometry is: forward_per_m, ..., drift_rad.
+  double odometry_max_age_s = 0.2;           ///< A scan without odometry this recent is not used.
+  double prediction_max_age_s = 0.5;         ///< The pose goes on by odometry for this long after the last scan.
+  double distrust_factor = 4.0;              ///< Odometry noise is multiplied by this after it was caught wrong ...
+  double distrust_s = 4.0;                   ///< ... for this long.
 
   double range_limit_m = 25.0;      ///< Longer beams are not used.
   std::int64_t filter_beams = 60;   ///< Beams that weigh the particles.
@@ -46,9 +42,9 @@ struct LocalizationConfig {
   double refine_loss_m = 0.1;       ///< Residual where the robust loss begins to flatten.
   double prior_deviation_m = 0.15;  ///< The filter's pose holds the refined one this loosely.
   double prior_deviation_rad = 0.1;
-  std::int64_t window_scans = 3;      ///< Poses refined together; 0: the filter alone.
-  double refine_beam_weight = 0.5;    ///< ... each beam counting as this much of one: neighbours err together.
-  double map_deviation_cells = 0.05;  ///< How wrong a map is whatever scans say, for the covariance [its cells].
+  std::int64_t window_scans = 3;       ///< Poses refined together; 0: the filter alone.
+  double refine_beam_weight = 0.5;     ///< ... each beam counting as this much of one: neighbours err together.
+  double map_deviation_cells = 0.025;  ///< How wrong a map is whatever scans say, for the covariance [its cells].
 
   double fit_distance_m = 0.2;  ///< A beam fits the map when it ends this close to a wall and came through none.
   double agreement_ok = 0.65;   ///< Share of fitting beams from which a pose is believed.
@@ -81,12 +77,7 @@ struct LocalizationConfig {
     visitor.field("start", start, Range{-1e5, 1e5});
     visitor.field("start_deviation_m", start_deviation_m, length_m);
     visitor.field("start_globally", start_globally);
-    visitor.field("forward_per_m", forward_per_m, share);
-    visitor.field("sideways_per_m", sideways_per_m, share);
-    visitor.field("turn_per_rad", turn_per_rad, share);
-    visitor.field("turn_per_m", turn_per_m, share);
-    visitor.field("drift_m", drift_m, share);
-    visitor.field("drift_rad", drift_rad, share);
+    wheels.visit_fields(visitor);
     visitor.field("odometry_max_age_s", odometry_max_age_s, Range{0.0, 2.0});
     visitor.field("prediction_max_age_s", prediction_max_age_s, Range{0.0, 5.0});
     visitor.field("distrust_factor", distrust_factor, Range{1.0, 20.0});

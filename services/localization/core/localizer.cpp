@@ -82,7 +82,7 @@ std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odome
     finder_.forget();
   }
   const double factor = odometry.time < distrust_until_ ? config_.distrust_factor : 1.0;
-  const MotionDeviation deviation = deviation_of(motion, noise_of(config_).times(factor));
+  const MotionDeviation deviation = deviation_of(motion, config_.wheels.times(factor));
   move(particles_, motion, deviation, rng_);
   last_ = odometry;
   return {motion, deviation};
@@ -90,7 +90,7 @@ std::pair<Pose2, MotionDeviation> Localizer::predict(const OdometrySample& odome
 
 PoseFit Localizer::tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation) {
   RefinedPose pose{group.map_from_base, group.covariance};
-  if (config_.window_scans > 0) pose = window_.add(group.map_from_base, endpoints_, motion, deviation);
+  if (config_.window_scans > 0) pose = window_.add(pose, endpoints_, motion, deviation);
   return {pose, agreement_at(pose.map_from_base)};
 }
 
@@ -103,7 +103,7 @@ double Localizer::agreement_at(const Pose2& map_from_base) const {
   return agreement_of(map_, distances_, map_from_base, base_from_laser_.position(), endpoints_, config_.fit_distance_m);
 }
 
-PoseFit Localizer::corrected(PoseFit fit, Time time) {
+PoseFit Localizer::corrected(PoseFit fit, const Pose2& expected, Time time) {
   slipped_ = false;
   if (fit.agreement >= config_.search_below || !trusted_) return fit;  // lost: the finder looks everywhere
   const SearchWindow window{.half_side_m = config_.search_window_m,
@@ -112,7 +112,7 @@ PoseFit Localizer::corrected(PoseFit fit, Time time) {
   const Pose2 found = best_pose_in_window(likelihoods_, few_endpoints_, fit.pose.map_from_base, window);
   const PoseFit searched = fit_at(found);
   if (searched.agreement < fit.agreement + kClearlyBetter) return fit;
-  slipped_ = (searched.pose.map_from_base.position() - fit.pose.map_from_base.position()).norm() > kSlipM;
+  slipped_ = (searched.pose.map_from_base.position() - expected.position()).norm() > kSlipM;
   window_.restart();
   gather(particles_, kSearchedShare, searched.pose.map_from_base, 0.1, 0.05, rng_);
   normalise(particles_);
@@ -178,7 +178,8 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   compare_with_mirrored();
   weigh(particles_, likelihoods_, few_endpoints_, config_.beam_weight);
   const auto groups = clusters(particles_, 3);
-  const PoseFit fit = judged(corrected(tracked(groups.front(), motion, deviation), scan.time), *odometry);
+  const Pose2 expected = last_fit_ ? last_fit_->pose.map_from_base * motion : groups.front().map_from_base;
+  const PoseFit fit = judged(corrected(tracked(groups.front(), motion, deviation), expected, scan.time), *odometry);
   resample(fit);
   last_fit_ = fit;
   const auto others = trusted_ ? other_groups(groups) : other_places(finder_.finding(), fit.pose.map_from_base);
@@ -213,7 +214,7 @@ LocalizationResult Localizer::claim(const OdometrySample& odometry, const PoseFi
 std::optional<LocalizationResult> Localizer::predicted_now() const {
   const auto now = odometry_.newest();
   if (!now || !last_result_) return std::nullopt;
-  MotionNoise noise = noise_of(config_);
+  MotionNoise noise = config_.wheels;
   noise.drift_m = 0.0;  // that of an update, however short the time to it
   noise.drift_rad = 0.0;
   return predicted(*last_result_, *now, noise, from_seconds(config_.prediction_max_age_s));

@@ -107,8 +107,9 @@ class Localizer {
   [[nodiscard]] PoseFit tracked(const Cluster& group, const Pose2& motion, const MotionDeviation& deviation);
   [[nodiscard]] PoseFit fit_at(const Pose2& map_from_base) const;
   [[nodiscard]] double agreement_at(const Pose2& map_from_base) const;
-  /// `fit`, or a pose near it that fits much better: wheels missed some motion.
-  [[nodiscard]] PoseFit corrected(PoseFit fit, Time time);
+  /// `fit`, or a pose near it that fits much better: wheels missed some motion, which is a slip where that pose is far
+  /// from the one `expected` by the wheels.
+  [[nodiscard]] PoseFit corrected(PoseFit fit, const Pose2& expected, Time time);
   /// Keeps the panorama: it must not hold what was seen from two places with an unknown motion between.
   void remember(const OdometrySample& odometry, bool broken);
   /// Takes the agreement of `fit`, and decides whether it is still the place.

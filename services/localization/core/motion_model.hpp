@@ -4,23 +4,9 @@
 
 #include "services/common/pose2.hpp"
 #include "services/common/random.hpp"
+#include "services/localization/core/motion_noise.hpp"
 
 namespace tandem {
-
-/// How wrong the odometry of a skid-steered base can be: standard deviations that grow with the motion.
-struct MotionNoise {
-  double forward_per_m = 0.0;
-  double sideways_per_m = 0.0;
-  double turn_per_rad = 0.0;
-  double turn_per_m = 0.0;  ///< [rad/m]
-  double drift_m = 0.0;     ///< at each step
-  double drift_rad = 0.0;   ///< at each step
-
-  [[nodiscard]] MotionNoise times(double factor) const {
-    return {factor * forward_per_m, factor * sideways_per_m, factor * turn_per_rad,
-            factor * turn_per_m,    factor * drift_m,        factor * drift_rad};
-  }
-};
 
 /// Standard deviations of one motion.
 struct MotionDeviation {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "services/localization/core/localization_config.hpp"
-#include "services/localization/core/motion_model.hpp"
 #include "services/localization/core/place_finder.hpp"
 #include "services/localization/core/pose_refinement.hpp"
 #include "services/localization/core/setup_check.hpp"
@@ -31,9 +30,7 @@ namespace tandem {
           .older_beams = static_cast<std::size_t>(config.filter_beams),
           .loss_m = config.refine_loss_m,
           .beam_weight = config.refine_beam_weight,
-          .map_deviation_m = config.map_deviation_cells * resolution_m,
-          .prior_deviation_m = config.prior_deviation_m,
-          .prior_deviation_rad = config.prior_deviation_rad};
+          .map_deviation_m = config.map_deviation_cells * resolution_m};
 }
 
 [[nodiscard]] inline RefinementOptions refinement_options(const LocalizationConfig& config) {
@@ -42,11 +39,6 @@ namespace tandem {
           .beam_weight = config.beam_weight,
           .prior_deviation_m = config.prior_deviation_m,
           .prior_deviation_rad = config.prior_deviation_rad};
-}
-
-[[nodiscard]] inline MotionNoise noise_of(const LocalizationConfig& config) {
-  return {config.forward_per_m, config.sideways_per_m, config.turn_per_rad,
-          config.turn_per_m,    config.drift_m,        config.drift_rad};
 }
 
 }  // namespace tandem

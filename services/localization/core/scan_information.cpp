@@ -8,76 +8,75 @@
 namespace tandem {
 namespace {
 
-constexpr std::size_t kNeighbours = 6;      ///< looked at on each side
-constexpr double kNearM = 0.25;             ///< A neighbour is this close, ...
-constexpr double kNearPerM = 0.03;          ///< ... and a bit further where beams are far apart.
-constexpr double kLineShare = 0.15;         ///< A line is this much thinner than long.
-constexpr double kNoiseShare = 0.03;        ///< of the strongest direction's information: what noise seems to tell
+constexpr double kNoiseShare = 0.03;        ///< of the strongest direction's sharpness: what noise seems to tell, ...
+constexpr double kFreeNoiseShare = 0.09;    ///< ... at most, where the scan before told nothing
+constexpr double kSameDirection = 0.995;    ///< cosine of 0.1 rad
 constexpr double kLeastDeviationM = 0.005;  ///< No map is better than this.
+
+/// How a distance with the gradient `across` changes with (x, y, heading), for an endpoint `arm` away from the base.
+Eigen::Vector3d by_pose(const Eigen::Vector2d& across, const Eigen::Vector2d& arm) {
+  return {across.x(), across.y(), across.y() * arm.x() - across.x() * arm.y()};
+}
+
+/// The sums over all beams; see scan_information.
+struct Sums {
+  Eigen::Matrix3d sharpness = Eigen::Matrix3d::Zero();  ///< A
+  Eigen::Matrix3d pulls = Eigen::Matrix3d::Zero();      ///< B
+  double weights = 0.0;
+  double squares_m2 = 0.0;
+};
+
+Sums sums_of(const DistanceField& field, std::span<const Eigen::Vector2d> endpoints_in_base,
+             std::span<const Eigen::Vector2d> normals_in_base, const Pose2& map_from_base, double loss_m) {
+  Sums sums;
+  const Pose2 turn{0.0, 0.0, map_from_base.heading};
+  for (std::size_t i = 0; i < endpoints_in_base.size(); ++i) {
+    const Eigen::Vector2d arm = turn * endpoints_in_base[i];
+    const auto [distance_m, gradient] = field.smooth(map_from_base.position() + arm);
+    const double square = distance_m * distance_m / (loss_m * loss_m);
+    const double weight2 = 1.0 / ((1.0 + square) * (1.0 + square));
+    const Eigen::Vector3d told = by_pose(turn * normals_in_base[i], arm);
+    const Eigen::Vector3d pull = distance_m * by_pose(gradient, arm);
+    sums.sharpness += weight2 * std::max(0.0, 1.0 - square) * told * told.transpose();
+    sums.pulls += weight2 * (pull * pull.transpose() + kLeastDeviationM * kLeastDeviationM * told * told.transpose());
+    sums.weights += weight2;
+    sums.squares_m2 += weight2 * distance_m * distance_m;
+  }
+  return sums;
+}
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> surface_normals(std::span<const Eigen::Vector2d> endpoints_in_base) {
-  std::vector<Eigen::Vector2d> normals;
-  normals.reserve(endpoints_in_base.size());
-  for (std::size_t i = 0; i < endpoints_in_base.size(); ++i) {
-    const Eigen::Vector2d& here = endpoints_in_base[i];
-    const double near_m = kNearM + kNearPerM * here.norm();
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
-    int count = 0;
-    const std::size_t first = i < kNeighbours ? 0 : i - kNeighbours;
-    const std::size_t last = std::min(endpoints_in_base.size() - 1, i + kNeighbours);
-    for (std::size_t k = first; k <= last; ++k) {
-      const Eigen::Vector2d away = endpoints_in_base[k] - here;
-      if (away.squaredNorm() > near_m * near_m) continue;
-      sum += away;
-      square += away * away.transpose();
-      ++count;
-    }
-    normals.emplace_back(Eigen::Vector2d::Zero());
-    if (count < 4) continue;
-    const Eigen::Matrix2d spread = square / count - sum * sum.transpose() / (count * count);
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-    axes.computeDirect(spread);
-    if (axes.eigenvalues()(0) > kLineShare * axes.eigenvalues()(1)) continue;
-    normals.back() = axes.eigenvectors().col(0);
-  }
-  return normals;
-}
-
 ScanInformation scan_information(const DistanceField& field, std::span<const Eigen::Vector2d> endpoints_in_base,
                                  std::span<const Eigen::Vector2d> normals_in_base, const Pose2& map_from_base,
-                                 double loss_m) {
+                                 double loss_m, const Eigen::Vector2d& free_before_in_map) {
   ScanInformation result;
-  const Pose2 turn{0.0, 0.0, map_from_base.heading};
-  double weights = 0.0;
-  double squares = 0.0;
-  for (std::size_t i = 0; i < endpoints_in_base.size(); ++i) {
-    const Eigen::Vector2d arm = turn * endpoints_in_base[i];
-    const double distance_m = field.distance_m(map_from_base.position() + arm);
-    const double weight = 1.0 / (1.0 + distance_m * distance_m / (loss_m * loss_m));  // Cauchy
-    weights += weight * weight;
-    squares += weight * weight * distance_m * distance_m;
-    const Eigen::Vector2d normal = turn * normals_in_base[i];
-    const Eigen::Vector3d row{normal.x(), normal.y(), normal.y() * arm.x() - normal.x() * arm.y()};
-    result.information += weight * weight * row * row.transpose();
-  }
-  if (weights == 0.0) return result;
-  result.deviation_m = std::max(kLeastDeviationM, std::sqrt(squares / weights));
-  result.information /= result.deviation_m * result.deviation_m;
+  const Sums sums = sums_of(field, endpoints_in_base, normals_in_base, map_from_base, loss_m);
+  if (sums.weights == 0.0) return result;
+  result.deviation_m = std::max(kLeastDeviationM, std::sqrt(sums.squares_m2 / sums.weights));
 
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
-  axes.computeDirect(result.information.topLeftCorner<2, 2>());
+  axes.computeDirect(sums.sharpness.topLeftCorner<2, 2>());
   const double strongest = axes.eigenvalues()(1);
   const double weakest = axes.eigenvalues()(0);
   if (weakest <= 0.0) return result;
+  Eigen::Vector2d weak = axes.eigenvectors().col(0);
+  const bool was_free = std::abs(weak.dot(free_before_in_map)) > kSameDirection;
+  if (was_free) weak = free_before_in_map;
+  const double noise = (was_free ? kFreeNoiseShare : kNoiseShare) * strongest;
+  const double kept = std::max(0.0, weakest - noise) / weakest;
+  if (kept == 0.0) result.free_in_map = weak;
+
   // Along the weakest axis all is scaled, the heading's share too, so that the information stays that of some scan.
-  const double kept = std::max(0.0, weakest - kNoiseShare * strongest) / weakest;
-  const Eigen::Vector2d weak = axes.eigenvectors().col(0);
   Eigen::Matrix3d scale = Eigen::Matrix3d::Identity();
   scale.topLeftCorner<2, 2>() += (std::sqrt(kept) - 1.0) * weak * weak.transpose();
-  result.information = scale * result.information * scale;
+  result.information = scale * sums.sharpness * sums.pulls.inverse() * sums.sharpness * scale;
+
+  // A map's error does not become less with scans from the same place; along a free direction it does nothing.
+  const Eigen::Vector3d free{result.free_in_map.x(), result.free_in_map.y(), 0.0};
+  const Eigen::Matrix3d seen = Eigen::Matrix3d::Identity() - free * free.transpose();
+  const Eigen::Matrix3d mean = sums.sharpness / static_cast<double>(endpoints_in_base.size());
+  result.by_map = seen * (mean + free * free.transpose()).inverse() * seen;
   return result;
 }
 

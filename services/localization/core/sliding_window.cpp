@@ -11,6 +11,7 @@
 #include "services/localization/core/beams.hpp"
 #include "services/localization/core/scan_residual.hpp"
 #include "services/localization/core/solver_setup.hpp"
+#include "services/localization/core/surface_normals.hpp"
 #include "services/localization/core/window_residuals.hpp"
 
 namespace tandem {
@@ -18,6 +19,8 @@ namespace {
 
 constexpr double kFarM = 0.3;  ///< A guess this far from what the window expects is another place.
 constexpr double kFarRad = 0.2;
+constexpr double kFilterM = 0.05;  ///< The filter is no better than this: its particles weighed the same scan.
+constexpr double kFilterRad = 0.05;
 constexpr double kNewScanShare = 0.1;     ///< Weight of the newest scan in the mean deviation of beams.
 constexpr double kLeastDeviation = 1e-3;  ///< No motion is known better [m, rad].
 
@@ -62,8 +65,9 @@ Eigen::Vector3d pull_of(const RelativePoseResidual& residual, const Eigen::Vecto
 
 }  // namespace
 
-RefinedPose SlidingWindow::add(const Pose2& guess, std::span<const Eigen::Vector2d> endpoints_in_base,
+RefinedPose SlidingWindow::add(const RefinedPose& filtered, std::span<const Eigen::Vector2d> endpoints_in_base,
                                const Pose2& motion, const MotionDeviation& deviation) {
+  const Pose2& guess = filtered.map_from_base;
   if (!frames_.empty()) {
     const Pose2 expected = pose_of(frames_.back().pose) * motion;
     const bool far = (expected.position() - guess.position()).norm() > kFarM ||
@@ -72,10 +76,9 @@ RefinedPose SlidingWindow::add(const Pose2& guess, std::span<const Eigen::Vector
   }
   if (frames_.empty()) {
     prior_ = guess;
-    prior_information_ =
-        Eigen::Vector3d{std::pow(options_.prior_deviation_m, -2), std::pow(options_.prior_deviation_m, -2),
-                        std::pow(options_.prior_deviation_rad, -2)}
-            .asDiagonal();
+    const Eigen::Vector3d least{kFilterM * kFilterM, kFilterM * kFilterM, kFilterRad * kFilterRad};
+    prior_information_ = (filtered.covariance + Eigen::Matrix3d{least.asDiagonal()}).inverse();
+    free_in_map_.setZero();
   } else {
     frames_.back().endpoints_in_base = thinned(frames_.back().endpoints_in_base, options_.older_beams);
     frames_.back().normals_in_base = thinned(frames_.back().normals_in_base, options_.older_beams);
@@ -89,8 +92,7 @@ RefinedPose SlidingWindow::add(const Pose2& guess, std::span<const Eigen::Vector
   measure();
   const Eigen::MatrixXd covariance = information().inverse();
   RefinedPose result{pose_of(frames_.back().pose), covariance.bottomRightCorner<3, 3>()};
-  const double map_variance = options_.map_deviation_m * options_.map_deviation_m;
-  result.covariance.diagonal() += Eigen::Vector3d{map_variance, map_variance, 0.0};
+  result.covariance += options_.map_deviation_m * options_.map_deviation_m * measurements_.back().by_map;
   if (frames_.size() >= options_.scans) drop_oldest();
   return result;
 }
@@ -123,9 +125,10 @@ void SlidingWindow::solve() {
 void SlidingWindow::measure() {
   measurements_.clear();
   for (const Frame& frame : frames_) {
-    measurements_.push_back(
-        scan_information(field_, frame.endpoints_in_base, frame.normals_in_base, pose_of(frame.pose), options_.loss_m));
+    measurements_.push_back(scan_information(field_, frame.endpoints_in_base, frame.normals_in_base,
+                                             pose_of(frame.pose), options_.loss_m, free_in_map_));
   }
+  free_in_map_ = measurements_.back().free_in_map;
   const double newest_m = measurements_.back().deviation_m;
   if (newest_m > 0.0) deviation_m_ += kNewScanShare * (newest_m - deviation_m_);
 }

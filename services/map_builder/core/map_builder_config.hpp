@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "services/common/config.hpp"
+#include "services/localization/core/motion_noise.hpp"
 
 namespace tandem {
 
@@ -17,12 +18,7 @@ struct MapBuilderConfig {
   double node_spacing_m = 0.25;     ///< A scan becomes a node of the graph when the robot moved this far ...
   double node_spacing_rad = 0.2;    ///< ... or turned this far since the last node.
 
-  double forward_per_m = 0.12;   ///< Odometry: deviation of the distance per metre driven.
-  double sideways_per_m = 0.05;  ///< ... of the drift sideways per metre driven.
-  double turn_per_rad = 0.12;    ///< ... of the turn per radian turned [rad].
-  double turn_per_m = 0.06;      ///< ... of the turn per metre driven [rad].
-  double drift_m = 0.01;         ///< ... of the position between two scans, however small the motion.
-  double drift_rad = 0.005;      ///< ... of the heading between two scans.
+  MotionNoise wheels = kUncalibratedWheels;  ///< How wrong odometry is: forward_per_m, ..., drift_rad.
 
   double local_way_m = 8.0;         ///< A scan is laid onto what the nodes of this way before it saw.
   double local_cell_m = 0.04;       ///< ... one point in each square of this side.
@@ -77,12 +73,7 @@ struct MapBuilderConfig {
     visitor.field("keep_after_s", keep_after_s, Range{0.0, 10.0});
     visitor.field("node_spacing_m", node_spacing_m, length_m);
     visitor.field("node_spacing_rad", node_spacing_rad, angle_rad);
-    visitor.field("forward_per_m", forward_per_m, share);
-    visitor.field("sideways_per_m", sideways_per_m, share);
-    visitor.field("turn_per_rad", turn_per_rad, share);
-    visitor.field("turn_per_m", turn_per_m, share);
-    visitor.field("drift_m", drift_m, share);
-    visitor.field("drift_rad", drift_rad, share);
+    wheels.visit_fields(visitor);
     visitor.field("local_way_m", local_way_m, length_m);
     visitor.field("local_cell_m", local_cell_m, length_m);
     visitor.field("first_reach_m", first_reach_m, length_m);

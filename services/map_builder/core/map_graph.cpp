@@ -5,12 +5,7 @@
 namespace tandem {
 
 Eigen::Matrix3d information_of_wheels(const Pose2& motion, const MapBuilderConfig& config) {
-  const MotionDeviation deviation = deviation_of(motion, {.forward_per_m = config.forward_per_m,
-                                                          .sideways_per_m = config.sideways_per_m,
-                                                          .turn_per_rad = config.turn_per_rad,
-                                                          .turn_per_m = config.turn_per_m,
-                                                          .drift_m = config.drift_m,
-                                                          .drift_rad = config.drift_rad});
+  const MotionDeviation deviation = deviation_of(motion, config.wheels);
   return Eigen::Vector3d{deviation.forward_m, deviation.sideways_m, deviation.turn_rad}
       .cwiseAbs2()
       .cwiseInverse()

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "services/localization/core/beams.hpp"
-#include "services/localization/core/scan_information.hpp"
+#include "services/localization/core/surface_normals.hpp"
 
 namespace tandem {
 

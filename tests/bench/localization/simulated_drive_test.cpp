@@ -7,19 +7,12 @@
 namespace tandem::bench {
 namespace {
 
-DriveOptions furnished_hall() {
-  const LocalizationConfig config;
-  DriveOptions options;
-  options.way_m = 15.0;
-  options.wheels =
-      MotionNoise{config.forward_per_m, config.sideways_per_m, config.turn_per_rad, config.turn_per_m, 0.0, 0.0}.times(
-          0.5);
-  return options;
-}
+const DriveOptions kHall{.way_m = 15.0};
+const DriveOptions kBlankCorridor{.way_m = 15.0, .corridor = true};
 
 TEST(SimulatedDrive, IsTheSameForTheSameSeed) {
-  const RecordedLog one = simulated_drive(5, furnished_hall());
-  const RecordedLog other = simulated_drive(5, furnished_hall());
+  const RecordedLog one = simulated_drive(5, kHall);
+  const RecordedLog other = simulated_drive(5, kHall);
 
   ASSERT_EQ(one.truth.size(), other.truth.size());
   EXPECT_EQ(one.truth.back().map_from_base, other.truth.back().map_from_base);
@@ -27,10 +20,20 @@ TEST(SimulatedDrive, IsTheSameForTheSameSeed) {
 }
 
 TEST(SimulatedDrive, FindsTheLocalizerAsWrongAsItClaims) {
-  const SimulatedErrors errors = simulated_errors(LocalizationConfig{}, furnished_hall(), 10);
+  const SimulatedErrors errors = simulated_errors(LocalizationConfig{}, kHall, 10);
 
   EXPECT_GT(errors.nees, 0.8);
   EXPECT_LT(errors.nees, 1.25);
+}
+
+TEST(SimulatedDrive, FindsTheLocalizerAsWrongAsItClaimsAlongABlankCorridor) {
+  const SimulatedErrors errors = simulated_errors(LocalizationConfig{}, kBlankCorridor, 20);
+
+  EXPECT_GT(errors.nees, 0.8);
+  EXPECT_LT(errors.nees, 1.25);
+  // The start and what the wheels err on the way: nothing else tells how far along it is.
+  EXPECT_GT(errors.claimed_along_m, 0.1);
+  EXPECT_LT(errors.claimed_across_m, 0.01);
 }
 
 }  // namespace

@@ -49,8 +49,6 @@ TEST(PartOptions, TheWindowCountsTheMapsErrorInCells) {
   EXPECT_EQ(window.older_beams, static_cast<std::size_t>(config.filter_beams));
   EXPECT_EQ(window.loss_m, config.refine_loss_m);
   EXPECT_EQ(window.beam_weight, config.refine_beam_weight);
-  EXPECT_EQ(window.prior_deviation_m, config.prior_deviation_m);
-  EXPECT_EQ(window.prior_deviation_rad, config.prior_deviation_rad);
 }
 
 TEST(PartOptions, APoseAloneIsRefinedWithTheFiltersWeightOfABeam) {
@@ -61,17 +59,6 @@ TEST(PartOptions, APoseAloneIsRefinedWithTheFiltersWeightOfABeam) {
   EXPECT_EQ(refinement.hit_deviation_m, config.hit_deviation_m);
   EXPECT_EQ(refinement.prior_deviation_m, config.prior_deviation_m);
   EXPECT_EQ(refinement.prior_deviation_rad, config.prior_deviation_rad);
-}
-
-TEST(PartOptions, TheNoiseOfMotionHasEachPartInItsPlace) {
-  const LocalizationConfig config = numbered_config();
-  const MotionNoise noise = noise_of(config);
-  EXPECT_EQ(noise.forward_per_m, config.forward_per_m);
-  EXPECT_EQ(noise.sideways_per_m, config.sideways_per_m);
-  EXPECT_EQ(noise.turn_per_rad, config.turn_per_rad);
-  EXPECT_EQ(noise.turn_per_m, config.turn_per_m);
-  EXPECT_EQ(noise.drift_m, config.drift_m);
-  EXPECT_EQ(noise.drift_rad, config.drift_rad);
 }
 
 }  // namespace

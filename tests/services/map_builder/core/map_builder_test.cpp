@@ -62,7 +62,7 @@ TEST(MapBuilder, TurnsWithALaserThatIsTurned) {
   for (LaserScan& scan : turned.scans) scan.base_from_laser = inverse(base_from_new_base) * scan.base_from_laser;
   for (OdometrySample& sample : turned.odometry) sample.odom_from_base = sample.odom_from_base * base_from_new_base;
   MapBuilderConfig config;  // wheels alike in both directions, as the law wants it
-  config.sideways_per_m = config.forward_per_m;
+  config.wheels.sideways_per_m = config.wheels.forward_per_m;
   const BuiltMap here = built(ring, config);
   const BuiltMap there = built(turned, config);
   ASSERT_EQ(here.scan_poses.size(), there.scan_poses.size());

@@ -7,8 +7,8 @@ namespace {
 
 TEST(MapGraph, TrustsTheWheelsLessTheFurtherTheyWent) {
   MapBuilderConfig config;
-  config.forward_per_m = 0.1;
-  config.drift_m = 0.0;
+  config.wheels.forward_per_m = 0.1;
+  config.wheels.drift_m = 0.0;
   EXPECT_NEAR(information_of_wheels({1.0, 0.0, 0.0}, config)(0, 0), 100.0, 1e-9);  // 0.1 m
   EXPECT_NEAR(information_of_wheels({2.0, 0.0, 0.0}, config)(0, 0), 25.0, 1e-9);   // 0.2 m
 }
