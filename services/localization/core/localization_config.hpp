@@ -49,6 +49,7 @@ struct LocalizationConfig {
   double fit_distance_m = 0.2;  ///< A beam fits the map when it ends this close to a wall and came through none.
   double agreement_ok = 0.65;   ///< Share of fitting beams from which a pose is believed.
   double lost_after_s = 2.0;    ///< Below agreement_ok for this long: lost.
+  double break_above = 0.2;     ///< Share of contradicting beams between two scans from which the robot was moved.
   double doubt_below = 0.75;    ///< When the mean of the last scans is below, other places are looked at too ...
   double doubt_every_m = 2.0;   ///< ... each time the robot drove this far ...
   double doubt_score = 0.08;    ///< ... and one that explains the last metres better by this is believed possible.
@@ -105,6 +106,7 @@ struct LocalizationConfig {
     visitor.field("fit_distance_m", fit_distance_m, length_m);
     visitor.field("agreement_ok", agreement_ok, share);
     visitor.field("lost_after_s", lost_after_s, Range{0.0, 60.0});
+    visitor.field("break_above", break_above, share);
     visitor.field("doubt_below", doubt_below, share);
     visitor.field("doubt_every_m", doubt_every_m, Range{0.1, 100.0});
     visitor.field("doubt_score", doubt_score, share);

@@ -8,24 +8,27 @@
 #include "services/localization/core/beams.hpp"
 #include "services/localization/core/part_options.hpp"
 #include "services/localization/core/scan_agreement.hpp"
+#include "services/localization/core/scan_continuity.hpp"
 #include "services/localization/core/scan_search.hpp"
 
 namespace tandem {
 namespace {
 
-constexpr double kFieldReachM = 2.0;     ///< Distances beyond this say nothing about where a wall is.
-constexpr std::size_t kMinReturns = 20;  ///< Fewer beams do not tell one place from another.
-constexpr double kClearlyBetter = 0.05;  ///< Gain of agreement for which a searched pose is taken.
-constexpr double kSearchedShare = 0.5;   ///< Share of the particles put at a searched pose.
-constexpr double kSlipM = 0.3;           ///< A correction this large is motion that the wheels missed.
-constexpr double kFastestMps = 5.0;      ///< No robot of ours drives faster, ...
-constexpr double kFastestRadps = 8.0;    ///< ... or turns faster.
-constexpr double kShortestS = 0.1;       ///< Stamps of samples close together are not exact.
-constexpr double kNewTimeS = 2.0;        ///< Scans older than the last one by more than this, ...
-constexpr int kScansOfNewTime = 5;       ///< ... so many in a row, are of a time that began anew.
-constexpr int kNoEpoch = -1;             ///< Of no odometry.
-constexpr double kFirstWorkS = 0.1;      ///< What the first input is worth to a search, ...
-constexpr double kLongestWorkS = 0.5;    ///< ... and at most any other.
+constexpr double kFieldReachM = 2.0;      ///< Distances beyond this say nothing about where a wall is.
+constexpr std::size_t kMinReturns = 20;   ///< Fewer beams do not tell one place from another.
+constexpr double kClearlyBetter = 0.05;   ///< Gain of agreement for which a searched pose is taken.
+constexpr double kSuddenDrop = 0.05;      ///< Below the mean of the last scans by this, a scan fits badly.
+constexpr double kSearchedShare = 0.5;    ///< Share of the particles put at a searched pose.
+constexpr double kSlipM = 0.3;            ///< A correction this large is motion that the wheels missed.
+constexpr double kFastestMps = 5.0;       ///< No robot of ours drives faster, ...
+constexpr double kFastestRadps = 8.0;     ///< ... or turns faster.
+constexpr double kShortestS = 0.1;        ///< Stamps of samples close together are not exact.
+constexpr double kNewTimeS = 2.0;         ///< Scans older than the last one by more than this, ...
+constexpr int kScansOfNewTime = 5;        ///< ... so many in a row, are of a time that began anew.
+constexpr int kNoEpoch = -1;              ///< Of no odometry.
+constexpr double kReconciledShare = 0.5;  ///< Of `break_above`: two scans that contradict each other less agree.
+constexpr double kFirstWorkS = 0.1;       ///< What the first input is worth to a search, ...
+constexpr double kLongestWorkS = 0.5;     ///< ... and at most any other.
 
 }  // namespace
 
@@ -104,15 +107,17 @@ double Localizer::agreement_at(const Pose2& map_from_base) const {
 }
 
 PoseFit Localizer::corrected(PoseFit fit, const Pose2& expected, Time time) {
-  slipped_ = false;
-  if (fit.agreement >= config_.search_below || !trusted_) return fit;  // lost: the finder looks everywhere
+  slipped_ = broken_off_;
+  if (!trusted_) return fit;  // lost: the finder looks everywhere
+  const bool fits = fit.agreement >= std::max(config_.search_below, mean_agreement_ - kSuddenDrop);
+  if (fits && !broken_off_) return fit;
   const SearchWindow window{.half_side_m = config_.search_window_m,
                             .half_turn_rad = config_.search_window_rad,
                             .prior_weight = config_.search_prior_weight};
   const Pose2 found = best_pose_in_window(likelihoods_, few_endpoints_, fit.pose.map_from_base, window);
   const PoseFit searched = fit_at(found);
   if (searched.agreement < fit.agreement + kClearlyBetter) return fit;
-  slipped_ = (searched.pose.map_from_base.position() - expected.position()).norm() > kSlipM;
+  slipped_ = slipped_ || (searched.pose.map_from_base.position() - expected.position()).norm() > kSlipM;
   window_.restart();
   gather(particles_, kSearchedShare, searched.pose.map_from_base, 0.1, 0.05, rng_);
   normalise(particles_);
@@ -172,6 +177,7 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   if (!is_started()) return std::nullopt;
   if (particles_.empty()) start_at(*odometry);
   if (particles_.empty()) return sought(*odometry);
+  broken_off_ = breaks_off(*odometry);
   if (const auto resting = fit_at_rest(*odometry)) return claim(*odometry, *resting, {});
 
   const auto [motion, deviation] = predict(*odometry);
@@ -186,8 +192,22 @@ std::optional<LocalizationResult> Localizer::add_scan(const LaserScan& scan) {
   return claim(*odometry, fit, others);
 }
 
+bool Localizer::breaks_off(const OdometrySample& odometry) const {
+  if (!seen_ || !trusted_) return false;
+  const bool counts_on = seen_->odometry.epoch == odometry.epoch;
+  const Pose2 motion = counts_on ? inverse(seen_->odometry.odom_from_base) * odometry.odom_from_base : Pose2{};
+  return contradiction_of(seen_->endpoints_in_base, endpoints_, base_from_laser_.position(), motion,
+                          deviation_of(motion, config_.wheels)) > config_.break_above;
+}
+
+bool Localizer::is_reconciled(const PoseFit& fit) const {
+  const Pose2 motion = inverse(seen_->map_from_base) * fit.pose.map_from_base;
+  return contradiction_of(seen_->endpoints_in_base, endpoints_, base_from_laser_.position(), motion, {}) <
+         kReconciledShare * config_.break_above;
+}
+
 std::optional<PoseFit> Localizer::fit_at_rest(const OdometrySample& odometry) const {
-  if (!last_fit_ || status_ != LocalizationStatus::Ok || !trusted_ || last_->epoch != odometry.epoch) {
+  if (broken_off_ || !last_fit_ || status_ != LocalizationStatus::Ok || !trusted_ || last_->epoch != odometry.epoch) {
     return std::nullopt;
   }
   const Pose2 motion = inverse(last_->odom_from_base) * odometry.odom_from_base;
@@ -204,8 +224,9 @@ std::optional<PoseFit> Localizer::fit_at_rest(const OdometrySample& odometry) co
 LocalizationResult Localizer::claim(const OdometrySample& odometry, const PoseFit& fit,
                                     const std::vector<PoseHypothesis>& others) {
   const bool on_probation = finder_.way_m() - probation_from_m_ < config_.place_certain_m;
-  const bool doubtful = !trusted_ || on_probation;
+  const bool doubtful = !trusted_ || may_be_carried_ || on_probation;
   const bool claims_too_much = doubtful && status_ == LocalizationStatus::Ok;
+  seen_ = {endpoints_, odometry, fit.pose.map_from_base};
   last_result_ = {result_of(odometry, fit, claims_too_much ? LocalizationStatus::Uncertain : status_, others),
                   odometry};
   return last_result_->result;

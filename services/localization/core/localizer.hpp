@@ -91,6 +91,13 @@ class Localizer {
   }
 
  private:
+  /// A scan, and where it was taken.
+  struct Seen {
+    std::vector<Eigen::Vector2d> endpoints_in_base;
+    OdometrySample odometry;
+    Pose2 map_from_base;
+  };
+
   /// How many boxes may be scored since the input before, so that a search never holds up the poses for long.
   [[nodiscard]] std::size_t search_budget(Time time);
   /// Takes notice of `fault`: there is no pose for this scan.
@@ -101,6 +108,10 @@ class Localizer {
   void start_at(const OdometrySample& odometry);
   [[nodiscard]] bool starts_where_remembered(const OdometrySample& odometry);
   void apply_hint();
+  /// Does the scan at hand contradict the last one: was the robot carried, or moved further than the wheels say?
+  [[nodiscard]] bool breaks_off(const OdometrySample& odometry) const;
+  /// Does the scan at hand agree with the last one if the robot moved from the last pose to that of `fit`?
+  [[nodiscard]] bool is_reconciled(const PoseFit& fit) const;
   /// Moves the particles; the motion and how wrong it may be.
   std::pair<Pose2, MotionDeviation> predict(const OdometrySample& odometry);
   /// The filter's pose, refined together with the last ones.
@@ -152,6 +163,8 @@ class Localizer {
   Time distrust_until_{Duration::min()};
   bool trusted_ = true;                       ///< is the place beyond doubt, whatever the last scan says?
   bool slipped_ = false;                      ///< did the last scan show motion that the wheels missed?
+  bool broken_off_ = false;                   ///< does the scan at hand contradict the one before?
+  bool may_be_carried_ = false;               ///< ... did one, and nothing has told since that it is the same place?
   double mean_agreement_ = 1.0;               ///< of the last scans
   double probation_from_m_ = -1e9;            ///< finder_.way_m() when a scan last did not fit, or showed missed motion
   double started_at_m_ = 0.0;                 ///< finder_.way_m() when it came to the place that it follows
@@ -173,6 +186,7 @@ class Localizer {
   Pose2 base_from_laser_;
   std::vector<Eigen::Vector2d> endpoints_;      ///< of the scan at hand, in the base frame
   std::vector<Eigen::Vector2d> few_endpoints_;  ///< those that weigh the particles
+  std::optional<Seen> seen_;                    ///< by the scan before
 };
 
 }  // namespace tandem

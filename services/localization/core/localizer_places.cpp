@@ -36,6 +36,7 @@ void Localizer::apply_hint() {
   monitor_.reset();
   trusted_ = true;
   mean_agreement_ = 1.0;
+  may_be_carried_ = false;
   probation_from_m_ = kNever;
   started_at_m_ = finder_.way_m();
   hint_.reset();
@@ -90,7 +91,7 @@ bool Localizer::wants_places() {
     doubted_at_m_ = finder_.way_m();
     doubting_ = true;
   }
-  return !trusted_ || doubting_;
+  return !trusted_ || may_be_carried_ || doubting_;
 }
 
 void Localizer::search(std::size_t boxes) {
@@ -150,6 +151,7 @@ void Localizer::believe(const PoseFit& fit) {
   status_ = LocalizationStatus::Ok;
   trusted_ = true;
   mean_agreement_ = 1.0;
+  may_be_carried_ = false;
   probation_from_m_ = kNever;
   started_at_m_ = finder_.way_m();
   doubting_ = false;
@@ -160,7 +162,8 @@ PoseFit Localizer::judged(PoseFit fit, const OdometrySample& odometry) {
   status_ = monitor_.add(odometry.time, fit.agreement);
   mean_agreement_ += kNewScanShare * (fit.agreement - mean_agreement_);
   if (status_ == LocalizationStatus::Lost) trusted_ = false;
-  remember(odometry, was_ok && (slipped_ || status_ != LocalizationStatus::Ok));
+  if (broken_off_ && !is_reconciled(fit)) may_be_carried_ = true;
+  remember(odometry, broken_off_ || (was_ok && (slipped_ || status_ != LocalizationStatus::Ok)));
   if (slipped_ || status_ != LocalizationStatus::Ok) probation_from_m_ = finder_.way_m();
   note_setup();
   if (!wants_places()) return fit;
@@ -173,10 +176,14 @@ PoseFit Localizer::judged(PoseFit fit, const OdometrySample& odometry) {
   const Pose2& place = finding.places.front().map_from_base;
   place_score_ = finding.score;
   const bool is_elsewhere = !PlaceFinder::is_same(place, fit.pose.map_from_base);
-  if (trusted_) {
+  if (trusted_ && !may_be_carried_) {
     const double gain = finding.score - finder_.score_at(fit.pose.map_from_base);
     if (is_elsewhere && gain > config_.doubt_score) trusted_ = false;
   } else if (finding.certain && !setup_.fault()) {
+    if (trusted_ && !is_elsewhere) {  // not carried after all
+      may_be_carried_ = false;
+      return fit;
+    }
     const PoseFit there = is_elsewhere ? settled_at(place) : fit;
     if (there.agreement < config_.agreement_ok) return fit;
     believe(there);
