@@ -17,8 +17,7 @@ std::string file_beside(const std::string& output) {
 
 }  // namespace
 
-KeptBuild::KeptBuild(const std::string& output, BuildKey key)
-    : file_(file_beside(output)), key_(std::move(key)), saved_at_(clock_.now()) {}
+KeptBuild::KeptBuild(const std::string& output, BuildKey key) : file_(file_beside(output)), key_(std::move(key)) {}
 
 BuildState KeptBuild::state(const Drive& drive, const MapBuilderConfig& config) const {
   if (!std::filesystem::exists(file_)) return {};
@@ -39,7 +38,7 @@ BuildState KeptBuild::state(const Drive& drive, const MapBuilderConfig& config) 
 }
 
 void KeptBuild::save_when_due(const BuildState& state) {
-  if (clock_.now() - saved_at_ >= kSaveEvery) save(state);
+  if (!saved_at_ || clock_.now() - *saved_at_ >= kSaveEvery) save(state);
 }
 
 void KeptBuild::save(const BuildState& state) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "services/common/clock.hpp"
@@ -17,7 +18,7 @@ class KeptBuild {
   /// error if there is a checkpoint at all.
   [[nodiscard]] BuildState state(const Drive& drive, const MapBuilderConfig& config) const;
 
-  /// Writes the checkpoint if the last one is old enough.
+  /// Writes the checkpoint if there is none yet, or the last one is old enough.
   void save_when_due(const BuildState& state);
   /// Writes the checkpoint. Where that fails it says so once, and the build goes on.
   void save(const BuildState& state);
@@ -31,7 +32,7 @@ class KeptBuild {
   std::string file_;
   BuildKey key_;
   SteadyClock clock_;
-  Time saved_at_;
+  std::optional<Time> saved_at_;
   bool has_failed_ = false;
 };
 
