@@ -65,7 +65,7 @@ LogMap built(const MappingLog& log, const MapBuilderConfig& config) {
     }
   }
   const Drive drive = drive_log.take();
-  LogMap result{.map = build_map(drive, config, [](const BuildProgress&) { return true; }), .scan_poses = {}};
+  LogMap result{.map = build_map(drive, config), .scan_poses = {}};
   result.cpu_s = thread_cpu_s() - before_s;
   result.peak_mb = peak_mb();
   result.scans = drive.scans_seen;

@@ -22,6 +22,7 @@ void add_build(CLI::App& map) {
   build->add_option("--seed", options->seed, "Taken for uniformity: nothing is drawn, every seed gives the same map");
   build->add_option("--trajectory", options->trajectory, "Write the robot's poses here: lines of t x y theta");
   build->add_option("--svg", options->picture, "Draw the map with the way and the closures here");
+  build->add_flag("--fresh", options->fresh, "Start anew, although a stopped build of this map could be gone on with");
   build->add_flag("--json", options->json, "Report as JSON");
   build->callback([options] { run_map_build(*options); });
 }

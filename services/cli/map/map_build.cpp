@@ -8,10 +8,12 @@
 
 #include "services/cli/command.hpp"
 #include "services/cli/map/drive_recording.hpp"
+#include "services/cli/map/kept_build.hpp"
 #include "services/cli/progress.hpp"
 #include "services/cli/truth.hpp"
 #include "services/common/clock.hpp"
 #include "services/common/file_io.hpp"
+#include "services/common/version.hpp"
 #include "services/localization/core/trajectory_picture.hpp"
 #include "services/map_builder/core/map_builder.hpp"
 #include "services/mapping/core/map_file.hpp"
@@ -111,7 +113,7 @@ nlohmann::ordered_json report_of(const MapBuildOptions& options, const MapBuilde
   report["scans_used"] = map.scan_poses.size();
   report["nodes"] = map.nodes;
   report["faults"] = faults_of(recorded);
-  report["complete"] = map.complete;
+  report["complete"] = true;  // else there is no report
   report["config_hash"] = hash_of(config);
   report["seed"] = options.seed.value_or(1);
   return report;
@@ -147,6 +149,25 @@ void write_results(const MapBuildOptions& options, const BuiltMap& map, const Tr
   if (!options.picture.empty()) write_file_atomically(options.picture, picture_of(map, truth));
 }
 
+/// The map; where it is stopped, what is done is kept for the next time, and Interrupted thrown.
+BuiltMap built_or_kept(const MapBuildOptions& options, const MapBuilderConfig& config, const Drive& drive,
+                       const std::function<bool(const BuildProgress&)>& keep_going) {
+  KeptBuild kept{options.output, key_of(drive, config, version_line())};
+  if (options.fresh) KeptBuild::remove(options.output);
+  MapBuild build{drive, config, kept.state(drive, config)};
+  while (!build.is_done() && keep_going(build.progress())) {
+    build.advance();
+    kept.save_when_due(build.state());
+  }
+  if (build.is_done()) {
+    if (auto map = build.drawn(keep_going)) return *std::move(map);
+  }
+  kept.save(build.state());
+  std::fprintf(stderr, "tandem: stopped after %zu of %zu scans%s\n", build.state().graph.places.size(),
+               drive.scans.size(), kept.how_to_go_on().c_str());
+  throw Interrupted{};
+}
+
 }  // namespace
 
 void run_map_build(const MapBuildOptions& options) {
@@ -169,22 +190,19 @@ void run_map_build(const MapBuildOptions& options) {
     if (stop_requested()) throw Interrupted{};  // nothing is there yet that would be lost
     for (const std::string& damage : recording.damages()) std::fprintf(stderr, "tandem: %s\n", damage.c_str());
     check_drive(options.file, *recorded);
-    map = build_map(recorded->drive, config, [&](const BuildProgress& now) {
+    map = built_or_kept(options, config, recorded->drive, [&](const BuildProgress& now) {
       progress.show(kReadingShare + (1.0 - kReadingShare) * now.share, now.step);
       return !stop_requested();
     });
   }
   write_results(options, *map, truth);
+  KeptBuild::remove(options.output);
   const auto report = report_of(options, config, *recorded, *map, truth, to_seconds(clock.now() - started));
   if (options.json) {
     std::puts(report.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   } else {
     print_text(report, map->grid);
   }
-  if (map->complete) return;
-  std::fprintf(stderr, "tandem: stopped: %s is the map of the first %zu of %zu scans\n", options.output.c_str(),
-               map->scan_poses.size(), recorded->drive.scans.size());
-  throw Interrupted{};
 }
 
 }  // namespace tandem::cli

@@ -15,10 +15,11 @@ struct MapBuildOptions {
   std::optional<std::int64_t> seed;
   std::string trajectory;
   std::string picture;
+  bool fresh = false;
   bool json = false;
 };
 
-/// `tandem map build`. After Ctrl-C the map of the scans taken in so far is written, and Interrupted thrown.
+/// `tandem map build`. After Ctrl-C what is done is kept beside the output for the next time, and Interrupted thrown.
 void run_map_build(const MapBuildOptions& options);
 
 }  // namespace tandem::cli

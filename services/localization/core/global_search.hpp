@@ -102,6 +102,8 @@ class GlobalSearchRun {
   /// Goes on by scoring about `boxes` boxes of poses (four more at most); `search` is the one it began with.
   void advance(const GlobalSearch& search, std::size_t boxes);
   [[nodiscard]] bool is_done() const { return done_; }
+  /// Did it end because it had opened as many boxes as it may? There may be better places then.
+  [[nodiscard]] bool gave_up() const { return opened_ == options_.max_nodes; }
   /// Once it is done: as GlobalSearch::candidates.
   [[nodiscard]] const std::vector<Candidate>& candidates() const { return found_; }
 

@@ -165,6 +165,10 @@ PoseFit Localizer::judged(PoseFit fit, const OdometrySample& odometry) {
   if (broken_off_ && !is_reconciled(fit)) may_be_carried_ = true;
   remember(odometry, broken_off_ || (was_ok && (slipped_ || status_ != LocalizationStatus::Ok)));
   if (slipped_ || status_ != LocalizationStatus::Ok) probation_from_m_ = finder_.way_m();
+  // Only where the place is beyond doubt, or would be but for what was named.
+  if (status_ == LocalizationStatus::Ok && (trusted_ || setup_.fault())) {
+    setup_.add_fit(distances_, endpoints_, fit.pose.map_from_base, base_from_laser_.position());
+  }
   note_setup();
   if (!wants_places()) return fit;
 

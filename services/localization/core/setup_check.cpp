@@ -17,7 +17,7 @@ constexpr std::size_t kMostNodes = 100'000;  ///< An alternative that is right i
 SetupCheck::SetupCheck(const SetupCheckOptions& options)
     : options_(options), seen_(options.panorama), mirrored_(options.panorama) {
   alternatives_.push_back({.mirrored = true});
-  // A smaller change of scale leaves the robot where it is: nothing is to be found wrong.
+  // A smaller change of scale leaves the robot where it is, and is measured there.
   for (int i = 2; i <= kScaleSteps; ++i) {
     alternatives_.push_back({.scale = std::pow(kScaleStep, i)});
     alternatives_.push_back({.scale = std::pow(kScaleStep, -i)});
@@ -38,6 +38,12 @@ void SetupCheck::add(const OdometrySample& odometry, std::span<const Eigen::Vect
   mirrored_.add(odometry, exchanged);
 }
 
+void SetupCheck::add_fit(const DistanceField& field, std::span<const Eigen::Vector2d> endpoints_in_base,
+                         const Pose2& map_from_base, const Eigen::Vector2d& laser_in_base) {
+  if (!scale_.is_due(way_m_)) return;
+  scale_.add(scale_measurement(field, endpoints_in_base, map_from_base, laser_in_base), way_m_);
+}
+
 void SetupCheck::forget() {
   seen_.clear();
   mirrored_.clear();
@@ -49,9 +55,9 @@ void SetupCheck::advance(const GlobalSearch& map, double score, std::size_t boxe
   if (!run_) return;
   run_->advance(map, boxes);
   if (!run_->is_done()) return;
-  const bool is_better = !run_->candidates().empty();
+  const Verdict found = verdict();
   run_.reset();
-  conclude(is_better);
+  conclude(found);
 }
 
 std::vector<Eigen::Vector2d> SetupCheck::points_of(const Alternative& alternative) const {
@@ -69,13 +75,26 @@ void SetupCheck::begin(const GlobalSearch& map, double score) {
   GlobalSearchOptions search;
   search.count = 1;
   search.floor = std::max(score + options_.clearly_better, options_.least_score);
+  const bool may_be_withdrawn = is_named_ && score >= options_.least_score;
+  if (may_be_withdrawn) search.floor = score - options_.clearly_better;
+  asked_score_ = score;
   search.max_nodes = kMostNodes;
   begun_at_m_ = way_m_;
   run_.emplace(map, points_of(alternatives_[current_]), search);
 }
 
-void SetupCheck::conclude(bool is_better) {
-  votes_ = std::clamp(votes_ + (is_better ? 1 : -1), 0, options_.votes);
+SetupCheck::Verdict SetupCheck::verdict() const {
+  const double wanted = std::max(asked_score_ + options_.clearly_better, options_.least_score);
+  if (!run_->candidates().empty())
+    return run_->candidates().front().score >= wanted ? Verdict::Better : Verdict::Neither;
+  const bool is_clearly_worse = is_named_ && asked_score_ >= options_.least_score && !run_->gave_up();
+  return is_clearly_worse ? Verdict::Worse : Verdict::Neither;
+}
+
+void SetupCheck::conclude(Verdict verdict) {
+  const bool counts_against = verdict == Verdict::Worse || (verdict == Verdict::Neither && !is_named_);
+  if (verdict == Verdict::Better) votes_ = std::min(votes_ + 1, options_.votes);
+  if (counts_against) votes_ = std::max(votes_ - 1, 0);
   if (votes_ == options_.votes) is_named_ = true;
   if (votes_ > 0) return;
   is_named_ = false;
@@ -83,8 +102,9 @@ void SetupCheck::conclude(bool is_better) {
 }
 
 std::optional<InputFault> SetupCheck::fault() const {
-  if (!is_named_) return std::nullopt;
-  return alternatives_[current_].mirrored ? InputFault::LaserMirrored : InputFault::MapScaleWrong;
+  if (is_named_) return alternatives_[current_].mirrored ? InputFault::LaserMirrored : InputFault::MapScaleWrong;
+  if (scale_.wrong_scale()) return InputFault::MapScaleWrong;
+  return std::nullopt;
 }
 
 }  // namespace tandem

@@ -9,6 +9,7 @@
 #include "services/common/pose2.hpp"
 #include "services/localization/core/global_search.hpp"
 #include "services/localization/core/input_faults.hpp"
+#include "services/localization/core/map_scale.hpp"
 #include "services/localization/core/odometry_history.hpp"
 #include "services/localization/core/panorama.hpp"
 
@@ -28,7 +29,9 @@ struct SetupCheckOptions {
 /// Tells why no place fits: the laser is mounted upside down (left and right exchanged), or the map has a wrong scale.
 ///
 /// What was seen on the last metres is looked for on the whole map as it would be then, one alternative after the
-/// other, a bounded piece of work at a time.
+/// other, a bounded piece of work at a time. One that was named stays so where nothing tells it from things as they are
+/// set up; it takes places that are clearly better without it to withdraw it. A scale so little wrong that places are
+/// found all the same is measured on the way.
 class SetupCheck {
  public:
   explicit SetupCheck(const SetupCheckOptions& options);
@@ -36,6 +39,9 @@ class SetupCheck {
   /// Takes a scan with the odometry at its time and the way driven so far.
   void add(const OdometrySample& odometry, std::span<const Eigen::Vector2d> endpoints_in_base,
            const Pose2& base_from_laser, double way_m);
+  /// Takes a scan that fits the map at `map_from_base`, after add(): is all of it a little too large or too small?
+  void add_fit(const DistanceField& field, std::span<const Eigen::Vector2d> endpoints_in_base,
+               const Pose2& map_from_base, const Eigen::Vector2d& laser_in_base);
   /// What was seen so far was seen elsewhere.
   void forget();
 
@@ -45,7 +51,9 @@ class SetupCheck {
   /// LaserMirrored or MapScaleWrong, once the evidence is there and as long as it holds.
   [[nodiscard]] std::optional<InputFault> fault() const;
   /// With MapScaleWrong: lengths on the map are this many times as long as they are.
-  [[nodiscard]] double map_scale() const { return alternatives_[current_].scale; }
+  [[nodiscard]] double map_scale() const {
+    return is_named_ ? alternatives_[current_].scale : scale_.wrong_scale().value_or(1.0);
+  }
 
  private:
   struct Alternative {
@@ -54,8 +62,12 @@ class SetupCheck {
   };
 
   [[nodiscard]] std::vector<Eigen::Vector2d> points_of(const Alternative& alternative) const;
+  /// How well an alternative explains what was seen, beside things as they are set up.
+  enum class Verdict { Worse, Neither, Better };
+
   void begin(const GlobalSearch& map, double score);
-  void conclude(bool is_better);
+  [[nodiscard]] Verdict verdict() const;
+  void conclude(Verdict verdict);
 
   SetupCheckOptions options_;
   std::vector<Alternative> alternatives_;
@@ -68,6 +80,8 @@ class SetupCheck {
   double all_begun_at_m_ = -1e9;  ///< way_m_ when the first of all was last searched for
   double begun_at_m_ = -1e9;      ///< way_m_ of the last search for the current one
   std::optional<GlobalSearchRun> run_;
+  double asked_score_ = 0.0;  ///< that the run's result is held against
+  MapScaleWatch scale_;
 };
 
 }  // namespace tandem

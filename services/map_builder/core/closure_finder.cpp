@@ -67,38 +67,38 @@ std::size_t nearest_old_node(const MapGraph& graph, double way_m, const Pose2& m
 
 std::optional<Closure> ClosureFinder::add(const MapGraph& graph) {
   const double way_m = graph.nodes.back().way_m;
-  if (way_m - looked_at_m_ < config_.closure_every_m) return std::nullopt;
-  looked_at_m_ = way_m;
+  if (way_m - memory_.looked_at_m < config_.closure_every_m) return std::nullopt;
+  memory_.looked_at_m = way_m;
   auto closure = found(graph);
   if (!closure) return std::nullopt;
   if (!is_confirmed(*closure)) {
-    ++doubted_;
+    ++memory_.doubted;
     return std::nullopt;
   }
-  closed_at_m_ = way_m;
+  memory_.closed_at_m = way_m;
   return closure;
 }
 
 bool ClosureFinder::is_confirmed(const Closure& closure) {
   const bool far = closure.correction.position().norm() > config_.closure_far_m;
-  const auto before = std::exchange(pending_, closure);
+  const auto before = std::exchange(memory_.unconfirmed_correction, closure.correction);
   if (!far) {
-    pending_.reset();
+    memory_.unconfirmed_correction.reset();
     return true;
   }
   if (!before) return false;
   // Nothing was closed in between: both corrections are about the same drift.
-  const Pose2 apart = inverse(before->correction) * closure.correction;
+  const Pose2 apart = inverse(*before) * closure.correction;
   const bool agree =
       apart.position().norm() < config_.closure_agreement_m && std::abs(apart.heading) < config_.closure_agreement_rad;
-  if (agree) pending_.reset();
+  if (agree) memory_.unconfirmed_correction.reset();
   return agree;
 }
 
 std::optional<Closure> ClosureFinder::found(const MapGraph& graph) const {
   const double way_m = graph.nodes.back().way_m;
   const double old_until_m = way_m - config_.closure_way_m - config_.closure_min_way_m;
-  const double since_m = way_m - closed_at_m_;
+  const double since_m = way_m - memory_.closed_at_m;
   const PoseArea area{
       graph.poses.back(),
       std::min(config_.closure_window_max_m, config_.closure_window_m + config_.closure_window_per_m * since_m),

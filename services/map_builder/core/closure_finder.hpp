@@ -14,6 +14,14 @@ struct Closure {
   double matched_share = 0.0;
 };
 
+/// What the search for closures keeps from one look to the next.
+struct ClosureMemory {
+  double looked_at_m = 0.0;                     ///< way at the last look
+  double closed_at_m = 0.0;                     ///< way at the last closure
+  std::optional<Pose2> unconfirmed_correction;  ///< of the last look, if it waits for the next to agree
+  std::size_t doubted = 0;                      ///< how often a place was found but not believed
+};
+
 /// Looks for places where the robot has been before.
 ///
 /// What it saw on the last metres, together, is searched in all that it saw longer ago around where it should be, by
@@ -21,22 +29,20 @@ struct Closure {
 /// does, and match when laid on point by point. One that moves the robot far must be confirmed by the next.
 class ClosureFinder {
  public:
-  explicit ClosureFinder(const MapBuilderConfig& config) : config_(config) {}
+  explicit ClosureFinder(const MapBuilderConfig& config, const ClosureMemory& memory = {})
+      : config_(config), memory_(memory) {}
 
   /// Call after each new node; looks when it is time. None, or a closure to be believed.
   [[nodiscard]] std::optional<Closure> add(const MapGraph& graph);
-  /// How often it looked, and found a place but did not believe it.
-  [[nodiscard]] std::size_t doubted() const { return doubted_; }
+  /// With this another finder goes on where this one is.
+  [[nodiscard]] const ClosureMemory& memory() const { return memory_; }
 
  private:
   [[nodiscard]] std::optional<Closure> found(const MapGraph& graph) const;
   [[nodiscard]] bool is_confirmed(const Closure& closure);
 
   MapBuilderConfig config_;
-  double looked_at_m_ = 0.0;  ///< way at the last look
-  double closed_at_m_ = 0.0;  ///< way at the last closure
-  std::optional<Closure> pending_;
-  std::size_t doubted_ = 0;
+  ClosureMemory memory_;
 };
 
 }  // namespace tandem

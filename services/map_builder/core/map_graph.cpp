@@ -4,6 +4,10 @@
 
 namespace tandem {
 
+Surface surface_of(const MapScan& scan, const MapBuilderConfig& config) {
+  return surface_of(scan.endpoints_in_base, scan.laser_in_base, static_cast<std::size_t>(config.scan_points));
+}
+
 Eigen::Matrix3d information_of_wheels(const Pose2& motion, const MapBuilderConfig& config) {
   const MotionDeviation deviation = deviation_of(motion, config.wheels);
   return Eigen::Vector3d{deviation.forward_m, deviation.sideways_m, deviation.turn_rad}

@@ -31,7 +31,11 @@ struct MapGraph {
   std::vector<PoseEdge> chain;     ///< from each node to the next, as scans and wheels found together
   std::vector<PoseEdge> closures;  ///< between nodes that saw the same place at different times
   std::vector<ScanPlace> places;   ///< of each scan so far
+  double way_m = 0.0;              ///< driven until the last of them
 };
+
+/// What `scan` saw, as a node keeps it.
+[[nodiscard]] Surface surface_of(const MapScan& scan, const MapBuilderConfig& config);
 
 /// Information that the wheels hold about `motion`, in the frame of its end.
 [[nodiscard]] Eigen::Matrix3d information_of_wheels(const Pose2& motion, const MapBuilderConfig& config);

@@ -56,32 +56,41 @@ std::vector<PoseEdge> wheel_edges(const MapGraph& graph, const Drive& drive, con
   return edges;
 }
 
+void find_pairs_of_next(RefinementState& state, const MapGraph& graph, const MapBuilderConfig& config) {
+  RegistrationOptions options = registration_options(config);
+  if (state.round > 0) options.first_reach_m = std::min(options.first_reach_m, kLaterReachM);
+  const std::size_t at = state.node++;
+  for (const std::size_t other : neighbours_of(at, graph, config)) {
+    const Registration laid = registered(graph.nodes[other].surface, graph.nodes[at].surface.surface(),
+                                         inverse(graph.poses[other]) * graph.poses[at], options);
+    if (laid.matched_share < config.refine_matched) continue;
+    state.pairs.push_back({.from = other,
+                           .to = at,
+                           .from_pose_to_pose = laid.reference_from_scan,
+                           .root_information = root_information_in_a(laid.reference_from_scan, laid.information),
+                           .loss = config.refine_loss});
+  }
+}
+
 }  // namespace
 
-void refine_neighbours(MapGraph& graph, const Drive& drive, const MapBuilderConfig& config,
-                       const std::function<bool(double)>& keep_going) {
-  RegistrationOptions options = registration_options(config);
-  const std::vector<PoseEdge> wheels = wheel_edges(graph, drive, config);
-  for (std::int64_t round = 0; round < config.refine_rounds; ++round) {
-    if (round > 0) options.first_reach_m = std::min(options.first_reach_m, kLaterReachM);
-    std::vector<PoseEdge> edges = wheels;
-    edges.insert(edges.end(), graph.closures.begin(), graph.closures.end());
-    for (std::size_t i = 1; i < graph.nodes.size(); ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(graph.nodes.size());
-      if (!keep_going((static_cast<double>(round) + share) / static_cast<double>(config.refine_rounds))) return;
-      for (const std::size_t other : neighbours_of(i, graph, config)) {
-        const Registration laid = registered(graph.nodes[other].surface, graph.nodes[i].surface.surface(),
-                                             inverse(graph.poses[other]) * graph.poses[i], options);
-        if (laid.matched_share < config.refine_matched) continue;
-        edges.push_back({.from = other,
-                         .to = i,
-                         .from_pose_to_pose = laid.reference_from_scan,
-                         .root_information = root_information_in_a(laid.reference_from_scan, laid.information),
-                         .loss = config.refine_loss});
-      }
-    }
-    optimise(graph.poses, edges, Weighting::Robust, kIterations);
-  }
+void refine_neighbours(RefinementState& state, MapGraph& graph, const Drive& drive, const MapBuilderConfig& config) {
+  if (state.node < graph.nodes.size()) return find_pairs_of_next(state, graph, config);
+  std::vector<PoseEdge> edges = wheel_edges(graph, drive, config);
+  edges.insert(edges.end(), graph.closures.begin(), graph.closures.end());
+  edges.insert(edges.end(), state.pairs.begin(), state.pairs.end());
+  optimise(graph.poses, edges, Weighting::Robust, kIterations);
+  state = {.round = state.round + 1, .node = 1, .pairs = {}};
+}
+
+bool is_refined(const RefinementState& state, const MapBuilderConfig& config) {
+  return state.round >= static_cast<std::size_t>(config.refine_rounds);
+}
+
+double refined_share(const RefinementState& state, const MapGraph& graph, const MapBuilderConfig& config) {
+  if (is_refined(state, config)) return 1.0;
+  const double of_round = static_cast<double>(state.node) / static_cast<double>(graph.nodes.size() + 1);
+  return (static_cast<double>(state.round) + of_round) / static_cast<double>(config.refine_rounds);
 }
 
 }  // namespace tandem

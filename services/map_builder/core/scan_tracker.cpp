@@ -19,8 +19,7 @@ Eigen::Matrix3d weak_information() {
 }  // namespace
 
 bool ScanTracker::add(std::size_t index, const MapScan& scan, MapGraph& graph) {
-  Surface surface =
-      surface_of(scan.endpoints_in_base, scan.laser_in_base, static_cast<std::size_t>(config_.scan_points));
+  Surface surface = surface_of(scan, config_);
   if (graph.nodes.empty()) {
     graph.nodes.push_back({.scan = index, .way_m = 0.0, .surface = SurfaceIndex{std::move(surface)}});
     graph.poses.emplace_back();
@@ -32,7 +31,7 @@ bool ScanTracker::add(std::size_t index, const MapScan& scan, MapGraph& graph) {
   const Pose2 predicted = map_from_last * scan.motion.value_or(Pose2{});
   const Registration found = laid(scan, surface, predicted, graph);
   const Pose2 moved = inverse(map_from_last) * found.reference_from_scan;
-  way_m_ += moved.position().norm();
+  graph.way_m += moved.position().norm();
 
   const std::size_t last_node = graph.nodes.size() - 1;
   const Pose2 node_from_base = inverse(graph.poses[last_node]) * found.reference_from_scan;
@@ -48,7 +47,7 @@ bool ScanTracker::add(std::size_t index, const MapScan& scan, MapGraph& graph) {
                          .from_pose_to_pose = node_from_base,
                          .root_information = root_information_in_a(node_from_base, information)});
   graph.poses.push_back(found.reference_from_scan);
-  graph.nodes.push_back({.scan = index, .way_m = way_m_, .surface = SurfaceIndex{std::move(surface)}});
+  graph.nodes.push_back({.scan = index, .way_m = graph.way_m, .surface = SurfaceIndex{std::move(surface)}});
   graph.places.push_back({last_node + 1, {}});
   local_.reset();
   return true;

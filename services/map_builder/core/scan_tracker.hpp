@@ -25,8 +25,7 @@ class ScanTracker {
   void refresh(const MapGraph& graph);
 
   MapBuilderConfig config_;
-  std::optional<LocalMap> local_;  ///< around the last nodes
-  double way_m_ = 0.0;
+  std::optional<LocalMap> local_;  ///< around the last nodes; follows from the graph alone
 };
 
 }  // namespace tandem

@@ -28,7 +28,7 @@ BuiltMap map_of(const std::string& name, double until_s) {
                     .ranges_m = scan.ranges_m});
     }
   }
-  return build_map(log.take(), config, [](const BuildProgress&) { return true; });
+  return build_map(log.take(), config);
 }
 
 RelationErrors errors_of_log(const std::string& name, const BuiltMap& map, double offset_s) {

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 
 #include <array>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -34,8 +35,10 @@ Outcome run(const std::string& arguments) {
 /// A folder of its own with the recording of a drive in it, gone at the end.
 class MapCommands : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto ring = test::drive_around(6.0, 0.03);
+  void SetUp() override { write_drive("drive.mcap", 6.0); }
+  /// The recording of a drive of `way_m`.
+  void write_drive(const std::string& name, double way_m) const {
+    const auto ring = test::drive_around(way_m, 0.03);
     std::vector<carmen::Event> events;
     for (std::size_t i = 0; i < ring.scans.size(); ++i) {
       const double time_s = to_seconds(ring.scans[i].time.time_since_epoch());
@@ -45,7 +48,7 @@ class MapCommands : public testing::Test {
                                        .angle_increment_rad = ring.scans[i].angle_increment_rad,
                                        .ranges_m = ring.scans[i].ranges_m});
     }
-    recorder::write_recording(path("drive.mcap"),
+    recorder::write_recording(path(name),
                               [&](mcap::Writer& writer) { recorder::write_carmen(events, "robot1", writer); });
   }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
@@ -58,8 +61,74 @@ class MapCommands : public testing::Test {
     return names;
   }
 
+  /// Builds a.yaml of `recording` until standard error or a file says `sign`, and then sends `signal`.
+  [[nodiscard]] Outcome broken_off(const std::string& recording, const std::string& sign,
+                                   const std::string& signal) const {
+    return run("build " + path(recording) + " -o " + path("a.yaml") + " 2> " + path("said") + " & pid=$!; until " +
+               sign + "; do :; done; kill -" + signal + " $pid; wait $pid 2> /dev/null; code=$?; cat " + path("said") +
+               "; rm " + path("said") + "; exit $code");
+  }
+  [[nodiscard]] std::string checkpoint() const { return path("a.yaml.checkpoint"); }
+  [[nodiscard]] std::string there_is_a_checkpoint() const { return "[ -e " + checkpoint() + " ]"; }
+  [[nodiscard]] std::string it_goes_on() const { return "grep -q 'going on' " + path("said"); }
+
   test::TemporaryFolder folder_;
 };
+
+class BrokenOffMapBuild : public MapCommands {
+ protected:
+  void SetUp() override {
+    write_drive("long.mcap", 60.0);
+    ASSERT_EQ(
+        run("build " + path("long.mcap") + " -o " + path("whole.yaml") + " --trajectory " + path("whole.txt")).code, 0);
+  }
+  /// Builds to the end, which must give the map that an undisturbed build gave; what was said.
+  [[nodiscard]] std::string said_by_the_rest(const std::string& more = "") const {
+    const Outcome outcome = run("build " + path("long.mcap") + " -o " + path("a.yaml") + " --trajectory " +
+                                path("a.txt") + more + " 2>&1 > /dev/null");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_TRUE(read_file(path("a.pgm")) == read_file(path("whole.pgm")));
+    EXPECT_TRUE(read_file(path("a.txt")) == read_file(path("whole.txt")));
+    EXPECT_FALSE(std::filesystem::exists(checkpoint()));
+    return outcome.output;
+  }
+};
+
+TEST_F(BrokenOffMapBuild, GoesOnAfterBeingKilledAndStoppedAsIfNothingHadBeen) {
+  EXPECT_EQ(broken_off("long.mcap", there_is_a_checkpoint(), "KILL").code, 128 + SIGKILL);
+  EXPECT_TRUE(std::filesystem::exists(checkpoint()));
+
+  const Outcome stopped = broken_off("long.mcap", it_goes_on(), "INT");
+  EXPECT_EQ(stopped.code, 130);
+  EXPECT_NE(stopped.output.find("tandem: going on from " + checkpoint() + ", after "), std::string::npos)
+      << stopped.output;
+  EXPECT_NE(stopped.output.find(" of 241 scans, kept in " + checkpoint() + ": the same command goes on from there\n"),
+            std::string::npos)
+      << stopped.output;
+  EXPECT_EQ(broken_off("long.mcap", it_goes_on(), "TERM").code, 130);
+  EXPECT_FALSE(std::filesystem::exists(path("a.yaml")));  // a map is whole or not there
+
+  EXPECT_EQ(said_by_the_rest().rfind("tandem: going on from ", 0), 0U);
+}
+
+TEST_F(BrokenOffMapBuild, BeginsAnewWhereItsCheckpointIsDamagedOrNotWanted) {
+  ASSERT_EQ(broken_off("long.mcap", there_is_a_checkpoint(), "INT").code, 130);
+  const std::string kept = read_file(checkpoint());
+
+  std::string damaged = kept;
+  damaged.back() ^= 1;
+  write_file_atomically(checkpoint(), damaged);
+  EXPECT_EQ(said_by_the_rest(), "tandem: " + checkpoint() + " is damaged; starting anew\n");
+
+  write_file_atomically(checkpoint(), kept);
+  EXPECT_EQ(said_by_the_rest(" --fresh"), "");
+}
+
+TEST_F(BrokenOffMapBuild, IsNeverGoneOnWithFromAnotherRecording) {
+  write_drive("other.mcap", 59.0);
+  ASSERT_EQ(broken_off("other.mcap", there_is_a_checkpoint(), "INT").code, 130);
+  EXPECT_EQ(said_by_the_rest(), "tandem: " + checkpoint() + " is of another recording; starting anew\n");
+}
 
 TEST_F(MapCommands, ARecordingBecomesAMapThatCanBeCheckedAndLoaded) {
   const Outcome built = run("build " + path("drive.mcap") + " -o " + path("a.yaml") + " --svg " + path("a.svg") +

@@ -43,7 +43,7 @@ TEST(ClosureFinder, AsksForASecondLookWhenTheCorrectionIsLarge) {
   config.closure_far_m = 0.001;
   ClosureFinder finder{config};
   EXPECT_FALSE(finder.add(graph).has_value());
-  EXPECT_EQ(finder.doubted(), 1U);
+  EXPECT_EQ(finder.memory().doubted, 1U);
   graph = bent_ring(test::drive_around(48.5, 0.0), 0.001);
   EXPECT_TRUE(finder.add(graph).has_value());
 }

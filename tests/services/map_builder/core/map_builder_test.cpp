@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+#include <utility>
+
 #include "services/localization/core/trajectory_errors.hpp"
+#include "services/map_builder/core/build_checkpoint.hpp"
 #include "tests/services/map_builder/ring.hpp"
 
 namespace tandem {
 namespace {
 
-bool go_on(const BuildProgress&) {
-  return true;
-}
-
 BuiltMap built(const test::RingDrive& ring, const MapBuilderConfig& config) {
-  return build_map(test::recorded(ring, config), config, go_on);
+  return build_map(test::recorded(ring, config), config);
 }
 
 TEST(MapBuilder, BuildsTheRingAndClosesItsLoop) {
@@ -23,7 +23,6 @@ TEST(MapBuilder, BuildsTheRingAndClosesItsLoop) {
   ASSERT_EQ(map.scan_poses.size(), ring.truth.size());
   EXPECT_GE(map.closures.size(), 3U);
   EXPECT_EQ(map.rejected, 0U);
-  EXPECT_TRUE(map.complete);
   std::vector<TimedPose> truth;
   for (std::size_t i = 0; i < ring.truth.size(); ++i) truth.push_back({ring.scans[i].time, ring.truth[i]});
   const FormErrors errors = form_errors_of(map.scan_poses, truth, 0.0);
@@ -72,19 +71,53 @@ TEST(MapBuilder, TurnsWithALaserThatIsTurned) {
   }
 }
 
-TEST(MapBuilder, DrawsWhatItHasWhenStopped) {
-  const auto ring = test::drive_around(20.0, 0.0);
+TEST(MapBuilder, IsTheSameHoweverOftenItWasWrittenDownAndReadAgain) {
+  const auto ring = test::drive_around(60.0, 0.03);
   const MapBuilderConfig config;
-  int asked = 0;
-  const BuiltMap map =
-      build_map(test::recorded(ring, config), config, [&asked](const BuildProgress&) { return ++asked <= 10; });
-  EXPECT_FALSE(map.complete);
-  EXPECT_EQ(map.scan_poses.size(), 10U);
-  EXPECT_EQ(map.grid.at(Eigen::Vector2d{0.0, 0.0}), CellState::Free);
+  const Drive drive = test::recorded(ring, config);
+  const BuiltMap whole = build_map(drive, config);
+  ASSERT_GE(whole.closures.size(), 3U);
+
+  // Stopped after each third piece of work: amid scans, before poses settle, amid both rounds of neighbours.
+  const BuildKey key = key_of(drive, config, "this program");
+  BuildState state;
+  std::set<BuildStage> stages;
+  for (bool done = false; !done;) {
+    MapBuild build{drive, config, std::move(state)};
+    for (int i = 0; i < 3; ++i) build.advance();
+    stages.insert(build.state().stage);
+    done = build.is_done();
+    CheckpointReading reading = read_checkpoint(checkpoint_of(build.state(), key), key, drive, config);
+    ASSERT_TRUE(reading.state.has_value()) << reading.refusal;
+    state = *std::move(reading.state);
+  }
+  EXPECT_GE(stages.size(), 3U);
+  const auto resumed = MapBuild{drive, config, std::move(state)}.drawn([](const BuildProgress&) { return true; });
+  ASSERT_TRUE(resumed.has_value());
+  EXPECT_EQ(resumed->grid, whole.grid);
+  EXPECT_EQ(trajectory_text(resumed->trajectory), trajectory_text(whole.trajectory));
+  EXPECT_EQ(resumed->scan_poses.size(), whole.scan_poses.size());
+  for (std::size_t i = 0; i < whole.scan_poses.size(); ++i) {
+    EXPECT_EQ(resumed->scan_poses[i].map_from_base, whole.scan_poses[i].map_from_base) << i;  // to the last bit
+  }
+  EXPECT_EQ(resumed->closures.size(), whole.closures.size());
+}
+
+TEST(MapBuilder, DrawsNothingWhenStoppedWhileItDraws) {
+  const MapBuilderConfig config;
+  const Drive drive = test::recorded(test::drive_around(5.0, 0.0), config);
+  MapBuild build{drive, config};
+  double share = 0.0;
+  while (!build.is_done()) {
+    build.advance();
+    EXPECT_GE(build.progress().share, share);
+    share = build.progress().share;
+  }
+  EXPECT_FALSE(build.drawn([](const BuildProgress&) { return false; }).has_value());
 }
 
 TEST(MapBuilder, MakesNoMapOfNoScans) {
-  const BuiltMap map = build_map({}, {}, go_on);
+  const BuiltMap map = build_map({}, {});
   EXPECT_TRUE(map.grid.empty());
   EXPECT_TRUE(map.trajectory.empty());
 }
@@ -100,7 +133,7 @@ TEST(MapBuilder, SurvivesALogWithFaults) {
   EXPECT_EQ(drive.faults.count(InputFault::ScanWithTooFewReturns), 2U);
   EXPECT_EQ(drive.faults.count(InputFault::OdometryJump), 2U);  // there, and back
   EXPECT_EQ(drive.faults.count(InputFault::ScanOutOfOrder), 1U);
-  const BuiltMap map = build_map(drive, config, go_on);
+  const BuiltMap map = build_map(drive, config);
   EXPECT_LT(map.grid.width() * map.grid.resolution_m(), 40.0);
 }
 

@@ -38,14 +38,25 @@ class NeighbourRefinement : public testing::Test {
 
 TEST_F(NeighbourRefinement, BringsPosesBackToWhereScansAgree) {
   EXPECT_GT(step_error_m(), 0.05);
-  refine_neighbours(graph_, drive_, config_, [](double) { return true; });
+  RefinementState state;
+  while (!is_refined(state, config_)) refine_neighbours(state, graph_, drive_, config_);
+  EXPECT_EQ(refined_share(state, graph_, config_), 1.0);
   EXPECT_LT(step_error_m(), 0.02);
 }
 
-TEST_F(NeighbourRefinement, LeavesThePosesWhenStoppedInTheFirstRound) {
+TEST_F(NeighbourRefinement, LeavesThePosesUntilTheFirstRoundIsWhole) {
   const auto before = graph_.poses;
-  refine_neighbours(graph_, drive_, config_, [](double) { return false; });
-  EXPECT_EQ(graph_.poses, before);
+  RefinementState state;
+  for (std::size_t node = 1; node < graph_.nodes.size(); ++node) {
+    refine_neighbours(state, graph_, drive_, config_);
+    EXPECT_EQ(graph_.poses, before);
+    EXPECT_LT(refined_share(state, graph_, config_), 0.5);  // one of two rounds
+  }
+  EXPECT_FALSE(state.pairs.empty());
+  refine_neighbours(state, graph_, drive_, config_);
+  EXPECT_NE(graph_.poses, before);
+  EXPECT_EQ(state.round, 1U);
+  EXPECT_TRUE(state.pairs.empty());
 }
 
 }  // namespace
