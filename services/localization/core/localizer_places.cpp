@@ -166,7 +166,7 @@ PoseFit Localizer::judged(PoseFit fit, const OdometrySample& odometry) {
   remember(odometry, broken_off_ || (was_ok && (slipped_ || status_ != LocalizationStatus::Ok)));
   if (slipped_ || status_ != LocalizationStatus::Ok) probation_from_m_ = finder_.way_m();
   // Only where the place is beyond doubt, or would be but for what was named.
-  if (status_ == LocalizationStatus::Ok && (trusted_ || setup_.fault())) {
+  if (status_ == LocalizationStatus::Ok && !may_be_carried_ && (trusted_ || setup_.fault())) {
     setup_.add_fit(distances_, endpoints_, fit.pose.map_from_base, base_from_laser_.position());
   }
   note_setup();
