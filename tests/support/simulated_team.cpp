@@ -6,6 +6,8 @@
 #include <cmath>
 #include <csignal>
 
+#include "services/cli/up/config_text.hpp"
+#include "services/common/file_io.hpp"
 #include "services/mapping/core/map_file.hpp"
 #include "services/simulator/core/scenario.hpp"
 
@@ -13,6 +15,23 @@ namespace tandem::test {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Sets values in a service's config.
+void set_in(const fs::path& file, const std::vector<std::pair<std::string, std::string>>& values) {
+  std::string toml = read_file(file);
+  for (const auto& [key, value] : values) toml = cli::with_value(toml, key, value);
+  write_file_atomically(file, toml);
+}
+
+/// Lets the relay of a host join the link in `network`.
+void join(const fs::path& config, const HostNetwork& network) {
+  if (network.link_address.empty()) return;
+  std::string peers;
+  for (const std::string& peer : network.peers) peers += (peers.empty() ? "" : ", ") + cli::toml_string(peer);
+  set_in(config / "site.toml", {{"link_address", cli::toml_string(network.link_address)},
+                                {"discovery", cli::toml_string("auto")},
+                                {"peers", "[" + peers + "]"}});
+}
 
 double speed_of(const msg::GroundTruth& truth) {
   return std::max(std::abs(truth.left_wheel_mps()), std::abs(truth.right_wheel_mps()));
@@ -39,6 +58,10 @@ SimulatedTeam::SimulatedTeam(const TeamOptions& options) : options_(options) {
   run.folder = home_ / "run";
   run.recording_folder = run.folder;
   folder_ = cli::make_run_folder(run);
+  join(folder_.robot_config, options.robot_network);
+  join(folder_.laptop_config, options.laptop_network);
+  set_in(folder_.laptop_config / "gateway.toml", {{"address", cli::toml_string(options.gateway_address)},
+                                                  {"link_host", cli::toml_string(options.gateway_address)}});
   laptop_site_ = load_config<SiteConfig>(folder_.laptop_config / "site.toml");
   const auto robot_site = load_config<SiteConfig>(folder_.robot_config / "site.toml");
 
@@ -54,24 +77,36 @@ SimulatedTeam::SimulatedTeam(const TeamOptions& options) : options_(options) {
   const auto start = [&](const std::string& host, const std::vector<std::string>& services, const fs::path& config) {
     for (const auto& process : cli::processes_of(host, services, programs, config, folder_.logs)) {
       const std::string service = process.name.substr(process.name.find('/') + 1);
-      if (std::find(options.without.begin(), options.without.end(), service) != options.without.end()) continue;
+      const auto is_left_out = [&](const std::string& name) { return name == service || name == process.name; };
+      if (std::any_of(options.without.begin(), options.without.end(), is_left_out)) continue;
       supervisor_.start(process);
       processes_.push_back(process.name);
       plan.needed.push_back(process.name);
     }
   };
-  start(options.robot, robot_services, folder_.robot_config);
-  start(laptop_site_.host, cli::services_of("laptop"), folder_.laptop_config);
-
-  robot_bus_ = std::make_unique<bus::Bus>(bus::host_domain(robot_site, "test"));
-  laptop_bus_ = std::make_unique<bus::Bus>(bus::host_domain(laptop_site_, "test"));
+  options.robot_network.run([&] {
+    start(options.robot, robot_services, folder_.robot_config);
+    robot_bus_ = std::make_unique<bus::Bus>(bus::host_domain(robot_site, "test"));
+  });
+  options.laptop_network.run([&] {
+    start(laptop_site_.host, cli::services_of("laptop"), folder_.laptop_config);
+    laptop_bus_ = std::make_unique<bus::Bus>(bus::host_domain(laptop_site_, "test"));
+  });
   truth_ = std::make_unique<bus::InOrder<msg::GroundTruth, msg::GroundTruthPubSubType>>(
       robot_bus_->in_order(topic::kGroundTruth));
   episode_ = std::make_unique<cli::Episode>(*laptop_bus_, laptop_site_, plan, place.map());
 }
 
 SimulatedTeam::~SimulatedTeam() {
+  stop();
+}
+
+void SimulatedTeam::stop() {
   supervisor_.stop_all(std::chrono::seconds{10});
+}
+
+std::filesystem::path SimulatedTeam::recording(const std::string& role) const {
+  return home_ / "run" / (role == "robot" ? "episode-robot.mcap" : "episode.mcap");
 }
 
 bool SimulatedTeam::run_until(Duration timeout, const std::function<bool()>& condition) {

@@ -15,6 +15,14 @@
 
 namespace tandem::test {
 
+/// The network of one of a team's hosts; by default this machine's loopback.
+struct HostNetwork {
+  /// Does work in that network: processes and threads that are made there stay there.
+  std::function<void(const std::function<void()>&)> run = [](const std::function<void()>& work) { work(); };
+  std::string link_address;        ///< of the relay; empty: as in config/simulation
+  std::vector<std::string> peers;  ///< ... and where it looks for the other; empty: by multicast alone
+};
+
 /// How a team is made up for a test.
 struct TeamOptions {
   std::string scenario = "quick";
@@ -25,7 +33,10 @@ struct TeamOptions {
   int laptop_domain = 0;
   int link_domain = 0;
   bool play = false;
-  std::vector<std::string> without;  ///< services that are not started
+  std::vector<std::string> without;  ///< services that are not started, as "planner" or "robot1/map-server"
+  HostNetwork robot_network;         ///< with the simulated world, and with the person's phone
+  HostNetwork laptop_network;
+  std::string gateway_address = "127.0.0.1";  ///< of the laptop, where the phone finds the gateway
 };
 
 /// A robot, a laptop, a simulated world and a simulated person: the real processes, on domains and ports of their own.
@@ -43,6 +54,10 @@ class SimulatedTeam {
   [[nodiscard]] bus::Bus& robot_bus() { return *robot_bus_; }
   [[nodiscard]] bus::Bus& laptop_bus() { return *laptop_bus_; }
   [[nodiscard]] const cli::RunFolder& folder() const { return folder_; }
+  /// Ends all processes in order, so that the recordings of both hosts are closed.
+  void stop();
+  /// The recording of the robot's or the laptop's host.
+  [[nodiscard]] std::filesystem::path recording(const std::string& role) const;
   [[nodiscard]] const SiteConfig& laptop_site() const { return laptop_site_; }
   /// The faster wheel's true speed [m/s], newest; nothing before the first.
   [[nodiscard]] std::optional<double> wheel_speed_mps() const;

@@ -145,6 +145,21 @@ LabHost& Laboratory::host(const std::string& name) {
   return **found;
 }
 
+std::string Laboratory::join_by_cable(const std::string& a, const std::string& b) {
+  const std::string number = std::to_string(cables_++);
+  const std::string end = "cable" + number;
+  run_program({"ip", "link", "add", end, "netns", host(a).network_path(), "type", "veth", "peer", "name", end, "netns",
+               host(b).network_path()});
+  const std::string network = "10.67." + number + ".";
+  for (const auto& [name, address] : {std::pair{a, network + "1"}, std::pair{b, network + "2"}}) {
+    host(name).run([&] {
+      run_program({"ip", "address", "add", address + "/24", "dev", end});
+      run_program({"ip", "link", "set", end, "up"});
+    });
+  }
+  return network + "2";
+}
+
 void Laboratory::set(const std::string& name, const Conditions& conditions) {
   const std::lock_guard lock{air_mutex_};
   air_.set(host(name).number(), conditions);

@@ -33,6 +33,8 @@ class LabHost {
   void change_address(const std::string& address);
   void interface_down();
   void interface_up();
+  /// Its network, as `ip link set ... netns` wants it.
+  [[nodiscard]] std::string network_path() const { return namespace_.path(); }
 
  private:
   friend class Laboratory;
@@ -56,6 +58,9 @@ class Laboratory {
   Laboratory& operator=(const Laboratory&) = delete;
 
   [[nodiscard]] LabHost& host(const std::string& name);
+  /// Joins two hosts by a cable besides, which loses nothing: they are 10.67.N.1 and 10.67.N.2 on it, N counting the
+  /// cables from 0. Gives the address of `b`.
+  std::string join_by_cable(const std::string& a, const std::string& b);
   /// What `name` is to receive, from now on.
   void set(const std::string& name, const Conditions& conditions);
   /// The same for every host: each direction of each link.
@@ -71,6 +76,7 @@ class Laboratory {
   Air air_;
   SteadyClock clock_;
   int wake_ = -1;
+  int cables_ = 0;
   std::thread carrier_;
 };
 
