@@ -15,7 +15,7 @@ constexpr std::size_t kMostNodes = 100'000;  ///< An alternative that is right i
 }  // namespace
 
 SetupCheck::SetupCheck(const SetupCheckOptions& options)
-    : options_(options), seen_(options.panorama), mirrored_(options.panorama) {
+    : options_(options), seen_(options.panorama), mirrored_(options.panorama), scale_(options.scale) {
   alternatives_.push_back({.mirrored = true});
   // A smaller change of scale leaves the robot where it is, and is measured there.
   for (int i = 2; i <= kScaleSteps; ++i) {
