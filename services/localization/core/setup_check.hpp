@@ -31,7 +31,7 @@ struct SetupCheckOptions {
 ///
 /// What was seen on the last metres is looked for on the whole map as it would be then, one alternative after the
 /// other, a bounded piece of work at a time. One that was named stays so where nothing tells it from things as they are
-/// set up; it takes places that are clearly better without it to withdraw it. A scale so little wrong that places are
+/// set up; it takes places that fit well and better without it to withdraw it. A scale so little wrong that places are
 /// found all the same is measured on the way.
 class SetupCheck {
  public:
