@@ -99,6 +99,7 @@ TEST(SetupCheck, TakesItsWordBackWhenTheEvidenceIsGone) {
 
   drive.mirrored_ = false;
   drive.check_.forget();
+  drive.finder_.forget();  // as the localizer does, of what was seen with the other setup
   for (int i = 0; i < 20; ++i) drive.step();
   EXPECT_FALSE(drive.check_.fault());
 }
