@@ -7,6 +7,7 @@ namespace tandem {
 namespace {
 
 constexpr double kFinestStepM = 0.1;      ///< A finer lattice costs time and finds the same places.
+constexpr std::size_t kBeamsAtOnce = 16;  ///< between two looks whether a box is still worth it
 constexpr double kMostCells = 4'000'000;  ///< A larger map is searched on a coarser lattice.
 
 }  // namespace
@@ -71,11 +72,19 @@ std::ptrdiff_t GlobalSearch::shift_of(const Eigen::Vector2d& way_m) const {
   return std::lround(steps.y()) * padded_width_ + std::lround(steps.x());
 }
 
-int GlobalSearch::best_sum(int level, int column, int row, std::span<const std::ptrdiff_t> shifts) const {
+std::optional<int> GlobalSearch::best_sum(int level, int column, int row, std::span<const std::ptrdiff_t> shifts,
+                                          int least) const {
   const std::uint8_t* const fit = fit_[static_cast<std::size_t>(level)].data() + index(column, row);
-  int sum = 0;
-  for (const std::ptrdiff_t shift : shifts) sum += fit[shift];
-  return sum;
+  int reachable = 255 * static_cast<int>(shifts.size());
+  while (!shifts.empty()) {
+    const auto few = shifts.first(std::min(kBeamsAtOnce, shifts.size()));
+    int missed = 0;
+    for (const std::ptrdiff_t shift : few) missed += 255 - fit[shift];
+    reachable -= missed;
+    if (reachable < least) return std::nullopt;
+    shifts = shifts.subspan(few.size());
+  }
+  return reachable;
 }
 
 double GlobalSearch::score_at(const Pose2& map_from_base, std::span<const Eigen::Vector2d> endpoints_in_base) const {

@@ -66,8 +66,10 @@ class GlobalSearch {
   [[nodiscard]] bool is_free(int level, int column, int row) const {
     return free_[static_cast<std::size_t>(level)][index(column, row)] != 0;
   }
-  /// The best sum that beams, each `shifts` away from the base, can score in that box; 255 each on walls.
-  [[nodiscard]] int best_sum(int level, int column, int row, std::span<const std::ptrdiff_t> shifts) const;
+  /// The best sum that beams, each `shifts` away from the base, can score in that box; 255 each on walls. None where it
+  /// is below `least`: beams are not looked at once the rest cannot make up for those before.
+  [[nodiscard]] std::optional<int> best_sum(int level, int column, int row, std::span<const std::ptrdiff_t> shifts,
+                                            int least) const;
 
  private:
   /// One byte for each lattice position, and a rim around the map as wide as the longest beam: no look-up can miss.

@@ -57,8 +57,11 @@ void GlobalSearchRun::score(const GlobalSearch& search, Box box) {
   if (box.column >= search.width() || box.row >= search.height()) return;
   if (!limits_.meets(box.column, box.row, 1 << box.level)) return;
   if (!search.is_free(box.level, box.column, box.row)) return;
-  box.score = search.best_sum(box.level, box.column, box.row, shifts_[static_cast<std::size_t>(box.heading)]);
-  if (box.score >= least_sum()) boxes_.push(box);
+  const auto sum = search.best_sum(box.level, box.column, box.row, shifts_[static_cast<std::size_t>(box.heading)],
+                                   static_cast<int>(std::ceil(least_sum())));
+  if (!sum) return;
+  box.score = *sum;
+  boxes_.push(box);
 }
 
 void GlobalSearchRun::score_next_of_largest(const GlobalSearch& search) {

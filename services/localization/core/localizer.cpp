@@ -38,7 +38,7 @@ Localizer::Localizer(OccupancyGrid map, const LocalizationConfig& config)
       distances_(map_, kFieldReachM),
       likelihoods_(map_, distances_, BeamModel{config.hit_deviation_m, config.random_share}),
       finder_(map_, likelihoods_, finder_options(config)),
-      setup_(setup_options(config)),
+      setup_(setup_options(config, map_.resolution_m())),
       window_(distances_, window_options(config, map_.resolution_m())),
       rng_(static_cast<std::uint64_t>(config.seed)),
       odometry_(from_seconds(config.odometry_max_age_s)),
@@ -224,7 +224,7 @@ std::optional<PoseFit> Localizer::fit_at_rest(const OdometrySample& odometry) co
 LocalizationResult Localizer::claim(const OdometrySample& odometry, const PoseFit& fit,
                                     const std::vector<PoseHypothesis>& others) {
   const bool on_probation = finder_.way_m() - probation_from_m_ < config_.place_certain_m;
-  const bool doubtful = !trusted_ || may_be_carried_ || on_probation;
+  const bool doubtful = !trusted_ || may_be_carried_ || on_probation || setup_.fault();
   const bool claims_too_much = doubtful && status_ == LocalizationStatus::Ok;
   seen_ = {endpoints_, odometry, fit.pose.map_from_base};
   last_result_ = {result_of(odometry, fit, claims_too_much ? LocalizationStatus::Uncertain : status_, others),

@@ -132,7 +132,7 @@ class Localizer {
   /// Soon after a start the pose is known: does the scan at hand fit there clearly better with left and right
   /// exchanged?
   void compare_with_mirrored();
-  /// While the laser or the map is set up wrongly, no place is beyond doubt.
+  /// While the laser or the map is set up so wrongly that no place can be right, none is beyond doubt.
   void note_setup();
   /// The pose at a place that was found, by the scan at hand.
   [[nodiscard]] PoseFit settled_at(const Pose2& place) const;

@@ -133,7 +133,7 @@ void Localizer::compare_with_mirrored() {
 void Localizer::note_setup() {
   if (const auto fault = setup_.fault()) {
     faults_.add(*fault);
-    trusted_ = false;
+    if (setup_.rules_out_places()) trusted_ = false;
   }
   if (trusted_ && mean_agreement_ >= config_.doubt_below) place_score_.reset();
 }
@@ -165,8 +165,7 @@ PoseFit Localizer::judged(PoseFit fit, const OdometrySample& odometry) {
   if (broken_off_ && !is_reconciled(fit)) may_be_carried_ = true;
   remember(odometry, broken_off_ || (was_ok && (slipped_ || status_ != LocalizationStatus::Ok)));
   if (slipped_ || status_ != LocalizationStatus::Ok) probation_from_m_ = finder_.way_m();
-  // Only where the place is beyond doubt, or would be but for what was named.
-  if (status_ == LocalizationStatus::Ok && !may_be_carried_ && (trusted_ || setup_.fault())) {
+  if (status_ == LocalizationStatus::Ok && trusted_ && !may_be_carried_) {
     setup_.add_fit(distances_, endpoints_, fit.pose.map_from_base, base_from_laser_.position());
   }
   note_setup();
@@ -183,7 +182,7 @@ PoseFit Localizer::judged(PoseFit fit, const OdometrySample& odometry) {
   if (trusted_ && !may_be_carried_) {
     const double gain = finding.score - finder_.score_at(fit.pose.map_from_base);
     if (is_elsewhere && gain > config_.doubt_score) trusted_ = false;
-  } else if (finding.certain && !setup_.fault()) {
+  } else if (finding.certain && !setup_.rules_out_places()) {
     if (trusted_ && !is_elsewhere) {  // not carried after all
       may_be_carried_ = false;
       return fit;
@@ -207,7 +206,7 @@ std::optional<LocalizationResult> Localizer::sought(const OdometrySample& odomet
   place_score_ = finding.score;
   const PoseFit fit = settled_at(finding.places.front().map_from_base);
   status_ = LocalizationStatus::Uncertain;
-  if (finding.certain && !setup_.fault() && fit.agreement >= config_.agreement_ok) believe(fit);
+  if (finding.certain && !setup_.rules_out_places() && fit.agreement >= config_.agreement_ok) believe(fit);
   return claim(odometry, fit, {finding.places.begin() + 1, finding.places.end()});
 }
 

@@ -20,8 +20,11 @@ constexpr double kBeamWeight = 0.25;       ///< Neighbouring beams err together:
 constexpr double kNearestM = 0.05;         ///< Nearer to the laser a beam has no direction.
 constexpr double kMostInformation = 3000;  ///< One scan is never surer: what errs there errs in all its beams.
 
-/// How far the unknowns may be from where they start: x, y [m], heading [rad], log scale, offset [m].
-const Vector5 kPriorDeviation{0.3, 0.3, 0.1, 0.1, 0.03};
+/// How far the unknowns may be from where they start: x, y [m], heading [rad], log scale, offset [m]. A wall is where
+/// its cells are to half of one.
+Vector5 prior_deviation(double resolution_m) {
+  return {0.3, 0.3, 0.1, 0.1, std::max(0.03, 0.6 * resolution_m)};
+}
 
 struct Unknowns {
   Pose2 map_from_base;
@@ -67,7 +70,7 @@ Equations equations_of(const DistanceField& field, std::span<const Eigen::Vector
 ScaleMeasurement scale_measurement(const DistanceField& field, std::span<const Eigen::Vector2d> endpoints_in_base,
                                    const Pose2& map_from_base, const Eigen::Vector2d& laser_in_base) {
   const std::vector<Eigen::Vector2d> endpoints = thinned(endpoints_in_base, kBeams);
-  const Vector5 prior = kPriorDeviation.cwiseAbs2().cwiseInverse();
+  const Vector5 prior = prior_deviation(field.resolution_m()).cwiseAbs2().cwiseInverse();
   Unknowns at{.map_from_base = map_from_base};
   Matrix5 information = prior.asDiagonal();
   for (int i = 0; i < kIterations; ++i) {
@@ -111,13 +114,13 @@ void MapScaleWatch::judge() {
     const double share = entry.measurement.information / sum;
     square += share * share * (entry.measurement.log_scale - mean) * (entry.measurement.log_scale - mean);
   }
-  if (std::abs(mean) < options_.cleared) {
+  if (entries_.back().way_m - entries_.front().way_m < options_.least_m) return;
+  const double doubt = 2.0 * std::sqrt(square);
+  if (std::abs(mean) + doubt < options_.cleared) {
     wrong_scale_.reset();
-    return;
+  } else if (wrong_scale_ || std::abs(mean) - doubt > options_.named) {
+    wrong_scale_ = std::exp(mean);
   }
-  const bool is_long = entries_.back().way_m - entries_.front().way_m >= options_.least_m;
-  const bool is_beyond_doubt = std::abs(mean) - 2.0 * std::sqrt(square) > options_.named;
-  if (wrong_scale_ || (is_long && is_beyond_doubt)) wrong_scale_ = std::exp(mean);
 }
 
 }  // namespace tandem

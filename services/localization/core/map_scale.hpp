@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <span>
@@ -30,8 +31,18 @@ struct MapScaleOptions {
   double way_m = 20.0;     ///< What was measured longer ago is forgotten.
   double least_m = 12.0;   ///< Over less way nothing is said.
   double named = 0.018;    ///< A mean further from 0, by twice its own deviation, is wrong [log scale] ...
-  double cleared = 0.012;  ///< ... until it is nearer than this.
+  double cleared = 0.012;  ///< ... until one is nearer than this, by as much.
 };
+
+/// The same for a map in cells of `resolution_m`: lengths are told no better than to a share of a cell, and these
+/// values are those for 5 cm.
+[[nodiscard]] inline MapScaleOptions map_scale_options(double resolution_m) {
+  MapScaleOptions options;
+  const double coarser = std::max(1.0, resolution_m / 0.05);
+  options.named *= coarser;
+  options.cleared *= coarser;
+  return options;
+}
 
 /// Watches the scale over the last metres.
 class MapScaleWatch {

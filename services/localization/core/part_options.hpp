@@ -19,8 +19,9 @@ namespace tandem {
   return options;
 }
 
-[[nodiscard]] inline SetupCheckOptions setup_options(const LocalizationConfig& config) {
+[[nodiscard]] inline SetupCheckOptions setup_options(const LocalizationConfig& config, double resolution_m) {
   SetupCheckOptions options;
+  options.scale = map_scale_options(resolution_m);
   options.panorama.way_m = config.panorama_way_m;
   return options;
 }

@@ -15,7 +15,7 @@ constexpr std::size_t kMostNodes = 100'000;  ///< An alternative that is right i
 }  // namespace
 
 SetupCheck::SetupCheck(const SetupCheckOptions& options)
-    : options_(options), seen_(options.panorama), mirrored_(options.panorama) {
+    : options_(options), seen_(options.panorama), mirrored_(options.panorama), scale_(options.scale) {
   alternatives_.push_back({.mirrored = true});
   // A smaller change of scale leaves the robot where it is, and is measured there.
   for (int i = 2; i <= kScaleSteps; ++i) {
@@ -76,7 +76,7 @@ void SetupCheck::begin(const GlobalSearch& map, double score) {
   search.count = 1;
   search.floor = std::max(score + options_.clearly_better, options_.least_score);
   const bool may_be_withdrawn = is_named_ && score >= options_.least_score;
-  if (may_be_withdrawn) search.floor = score - options_.clearly_better;
+  if (may_be_withdrawn) search.floor = score;
   asked_score_ = score;
   search.max_nodes = kMostNodes;
   begun_at_m_ = way_m_;
@@ -87,8 +87,8 @@ SetupCheck::Verdict SetupCheck::verdict() const {
   const double wanted = std::max(asked_score_ + options_.clearly_better, options_.least_score);
   if (!run_->candidates().empty())
     return run_->candidates().front().score >= wanted ? Verdict::Better : Verdict::Neither;
-  const bool is_clearly_worse = is_named_ && asked_score_ >= options_.least_score && !run_->gave_up();
-  return is_clearly_worse ? Verdict::Worse : Verdict::Neither;
+  const bool is_worse = is_named_ && asked_score_ >= options_.least_score && !run_->gave_up();
+  return is_worse ? Verdict::Worse : Verdict::Neither;
 }
 
 void SetupCheck::conclude(Verdict verdict) {

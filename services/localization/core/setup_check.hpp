@@ -24,13 +24,14 @@ struct SetupCheckOptions {
   double least_score = 0.75;    ///< ... and no less than this, ...
   int votes = 3;                ///< ... so often in a row, ...
   double apart_m = 0.5;         ///< ... each time after so much more way.
+  MapScaleOptions scale;        ///< When a scale measured on the way is believed.
 };
 
 /// Tells why no place fits: the laser is mounted upside down (left and right exchanged), or the map has a wrong scale.
 ///
 /// What was seen on the last metres is looked for on the whole map as it would be then, one alternative after the
 /// other, a bounded piece of work at a time. One that was named stays so where nothing tells it from things as they are
-/// set up; it takes places that are clearly better without it to withdraw it. A scale so little wrong that places are
+/// set up; it takes places that fit well and better without it to withdraw it. A scale so little wrong that places are
 /// found all the same is measured on the way.
 class SetupCheck {
  public:
@@ -50,6 +51,8 @@ class SetupCheck {
 
   /// LaserMirrored or MapScaleWrong, once the evidence is there and as long as it holds.
   [[nodiscard]] std::optional<InputFault> fault() const;
+  /// Is it so wrong that no place can be right? A scale measured on the way leaves the robot where it is, nearly.
+  [[nodiscard]] bool rules_out_places() const { return is_named_; }
   /// With MapScaleWrong: lengths on the map are this many times as long as they are.
   [[nodiscard]] double map_scale() const {
     return is_named_ ? alternatives_[current_].scale : scale_.wrong_scale().value_or(1.0);

@@ -65,8 +65,8 @@ class MapCommands : public testing::Test {
   [[nodiscard]] Outcome broken_off(const std::string& recording, const std::string& sign,
                                    const std::string& signal) const {
     return run("build " + path(recording) + " -o " + path("a.yaml") + " 2> " + path("said") + " & pid=$!; until " +
-               sign + "; do :; done; kill -" + signal + " $pid; wait $pid 2> /dev/null; code=$?; cat " + path("said") +
-               "; rm " + path("said") + "; exit $code");
+               sign + " || ! kill -0 $pid 2> /dev/null; do :; done; kill -" + signal +
+               " $pid; wait $pid 2> /dev/null; code=$?; cat " + path("said") + "; rm " + path("said") + "; exit $code");
   }
   [[nodiscard]] std::string checkpoint() const { return path("a.yaml.checkpoint"); }
   [[nodiscard]] std::string there_is_a_checkpoint() const { return "[ -e " + checkpoint() + " ]"; }
@@ -78,7 +78,7 @@ class MapCommands : public testing::Test {
 class BrokenOffMapBuild : public MapCommands {
  protected:
   void SetUp() override {
-    write_drive("long.mcap", 60.0);
+    write_drive("long.mcap", 30.0);
     ASSERT_EQ(
         run("build " + path("long.mcap") + " -o " + path("whole.yaml") + " --trajectory " + path("whole.txt")).code, 0);
   }
@@ -102,7 +102,7 @@ TEST_F(BrokenOffMapBuild, GoesOnAfterBeingKilledAndStoppedAsIfNothingHadBeen) {
   EXPECT_EQ(stopped.code, 130);
   EXPECT_NE(stopped.output.find("tandem: going on from " + checkpoint() + ", after "), std::string::npos)
       << stopped.output;
-  EXPECT_NE(stopped.output.find(" of 241 scans, kept in " + checkpoint() + ": the same command goes on from there\n"),
+  EXPECT_NE(stopped.output.find(" of 121 scans, kept in " + checkpoint() + ": the same command goes on from there\n"),
             std::string::npos)
       << stopped.output;
   EXPECT_EQ(broken_off("long.mcap", it_goes_on(), "TERM").code, 130);
@@ -125,7 +125,7 @@ TEST_F(BrokenOffMapBuild, BeginsAnewWhereItsCheckpointIsDamagedOrNotWanted) {
 }
 
 TEST_F(BrokenOffMapBuild, IsNeverGoneOnWithFromAnotherRecording) {
-  write_drive("other.mcap", 59.0);
+  write_drive("other.mcap", 29.0);
   ASSERT_EQ(broken_off("other.mcap", there_is_a_checkpoint(), "INT").code, 130);
   EXPECT_EQ(said_by_the_rest(), "tandem: " + checkpoint() + " is of another recording; starting anew\n");
 }

@@ -25,9 +25,10 @@ ScaleMeasurement measured(const Pose2& pose, double scale, double longer_m = 0.0
 
 TEST(ScaleMeasurement, FindsHowMuchTooLargeTheMapIs) {
   for (const Pose2& pose : {Pose2{2.5, 1.2, 0.0}, Pose2{3.0, 2.0, 1.0}}) {
-    EXPECT_NEAR(measured(pose, 1.0).log_scale, 0.0, 0.012);
-    EXPECT_NEAR(measured(pose, 1.05).log_scale, std::log(1.05), 0.015);
-    EXPECT_GT(measured(pose, 1.05).information, 1000.0);
+    const double right = measured(pose, 1.0).log_scale;
+    EXPECT_NEAR(right, 0.0, 0.02);  // half a cell of 10 cm at 2 m or 3 m
+    EXPECT_NEAR(measured(pose, 1.05).log_scale - right, std::log(1.05), 0.015);
+    EXPECT_GT(measured(pose, 1.05).information, 100.0);
   }
 }
 
@@ -45,7 +46,7 @@ TEST(ScaleMeasurement, TellsNothingWithoutBeams) {
 }
 
 TEST(MapScaleWatch, NamesAScaleThatIsMeasuredAgainAndAgain) {
-  MapScaleWatch watch{{.way_m = 20.0, .least_m = 12.0, .named = 0.018, .cleared = 0.012}};
+  MapScaleWatch watch{{}};
   for (double way_m = 0.0; way_m < 11.9; way_m += 0.5) watch.add({0.03, 1000.0}, way_m);
   EXPECT_FALSE(watch.wrong_scale());  // too little way
   watch.add({0.03, 1000.0}, 12.0);
@@ -73,6 +74,12 @@ TEST(MapScaleWatch, KeepsItsWordUntilTheScaleIsClearlyRight) {
   EXPECT_FALSE(watch.wrong_scale());
   drive(-0.015);
   EXPECT_FALSE(watch.wrong_scale());
+}
+
+TEST(MapScaleWatch, AsksForMoreOnACoarseMap) {
+  EXPECT_EQ(map_scale_options(0.02).named, MapScaleOptions{}.named);
+  EXPECT_EQ(map_scale_options(0.1).named, 2.0 * MapScaleOptions{}.named);
+  EXPECT_EQ(map_scale_options(0.1).cleared, 2.0 * MapScaleOptions{}.cleared);
 }
 
 TEST(MapScaleWatch, WantsAMeasurementEachQuarterOfAMetre) {

@@ -37,7 +37,7 @@ TEST(PartOptions, TheFinderOfPlacesAndTheCheckOfTheSetupLookBackEquallyFar) {
   EXPECT_EQ(finder.weight_per_score, config.place_weight_per_score);
   EXPECT_EQ(finder.certain_weight, config.place_certain_weight);
   EXPECT_EQ(finder.certain_after_m, config.place_certain_m);
-  EXPECT_EQ(setup_options(config).panorama.way_m, config.panorama_way_m);
+  EXPECT_EQ(setup_options(config, 0.05).panorama.way_m, config.panorama_way_m);
 }
 
 TEST(PartOptions, TheWindowCountsTheMapsErrorInCells) {
