@@ -61,7 +61,7 @@ int main(int argc, char** argv) try {
   NetworkKey key;
   auto* cell = app.add_subcommand("cell", "One measurement, printed as JSON");
   cell->add_option("what", key.what)->required();
-  cell->add_option("whose", key.whose)->required()->check(CLI::IsMember({"ours", "default"}));
+  cell->add_option("whose", key.whose)->required()->check(CLI::IsMember({"ours", "secured", "default"}));
   cell->add_option("air", key.air)->required();
   cell->add_option("run", key.run)->required();
   CLI11_PARSE(app, argc, argv);

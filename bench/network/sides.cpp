@@ -11,6 +11,7 @@
 #include "services/bus/endpoints.hpp"
 #include "services/bus/raw_type.hpp"
 #include "services/relay/relay_service.hpp"
+#include "tests/support/link_authority.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -116,6 +117,11 @@ std::unique_ptr<Side> make_side(const std::string& whose, test::LabHost& host, c
   options.host_domain = kHostDomain;
   options.link_domain = kLinkDomain;
   options.peers = {peer_address};
+  if (whose == "secured") {
+    static const test::LinkAuthority authority;
+    options.security_folder =
+        authority.files_of(host.name(), host.name() == "robot" ? HostRole::Robot : HostRole::Laptop);
+  }
   return std::make_unique<RelayedSide>(host, options);
 }
 

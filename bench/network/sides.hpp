@@ -20,8 +20,8 @@ class Side {
   [[nodiscard]] virtual double cpu_s() const { return 0.0; }
 };
 
-/// "ours": a host with its relay as a process. "default": a participant on the link with Fast DDS's defaults, over UDP
-/// alone (shared memory would bypass the air). The host "robot" is the robot's.
+/// "ours": a host with its relay as a process; "secured": the same on a secured link. "default": a participant on the
+/// link with Fast DDS's defaults, over UDP alone (shared memory would bypass the air). The host "robot" is the robot's.
 [[nodiscard]] std::unique_ptr<Side> make_side(const std::string& whose, test::LabHost& host,
                                               const std::string& peer_address);
 

@@ -20,6 +20,7 @@
 #include "services/bus/endpoints.hpp"
 #include "services/bus/outside_settings.hpp"
 #include "services/bus/participant_qos.hpp"
+#include "services/bus/peer_watch.hpp"
 #include "services/bus/qos.hpp"
 #include "services/bus/raw_type.hpp"
 
@@ -58,9 +59,10 @@ DomainOptions host_domain(const SiteConfig& site, const std::string& service, Pa
 
 class Bus::Participant {
  public:
-  explicit Participant(const DomainOptions& options) : options_(options) {
+  explicit Participant(const DomainOptions& options) : options_(options), watch_(options.security.has_value(), clock_) {
     // Fast DDS itself would only log, and never send.
     if (!is_address_of_this_machine(options.address)) refuse();
+    refuse_what_breaks_security(options);
     always_use_the_transport();
     for (const auto& setting : outside_settings(options)) {
       spdlog::warn("Fast DDS is set from outside: {} participant={}", setting, options.participant);
@@ -114,26 +116,30 @@ class Bus::Participant {
 
   /// Participants with given ids take them in turn. Fast DDS makes the GUID of process and id: one that came back with
   /// another address but the old id would be taken for the old one, until that is forgotten.
-  [[nodiscard]] dds::DomainParticipant* create(dds::DomainParticipantFactory& factory,
-                                               dds::DomainParticipantQos qos) const {
+  [[nodiscard]] dds::DomainParticipant* create(dds::DomainParticipantFactory& factory, dds::DomainParticipantQos qos) {
     static std::atomic<int> turn = 0;
     const auto domain = static_cast<dds::DomainId_t>(options_.domain);
-    if (qos.wire_protocol().participant_id < 0) return factory.create_participant(domain, qos);
+    if (qos.wire_protocol().participant_id < 0)
+      return factory.create_participant(domain, qos, &watch_, dds::StatusMask::none());
     for (int i = 0; i < kLinkIds; ++i) {
       qos.wire_protocol().participant_id = kFirstLinkId + turn++ % kLinkIds;
-      if (auto* made = factory.create_participant(domain, qos)) return made;
+      if (auto* made = factory.create_participant(domain, qos, &watch_, dds::StatusMask::none())) return made;
     }
     qos.wire_protocol().participant_id = -1;  // all taken: those who name us find us by our own announcements
-    return factory.create_participant(domain, qos);
+    return factory.create_participant(domain, qos, &watch_, dds::StatusMask::none());
   }
 
   [[noreturn]] void refuse() const {
     throw std::runtime_error("DDS domain " + std::to_string(options_.domain) + " cannot be joined at " +
-                             options_.address + ": is that an address of this machine? See site.toml");
+                             options_.address + ": is that an address of this machine? See site.toml" +
+                             (options_.security ? ". Or Fast DDS takes the files of secure_link for unusable: tandem "
+                                                  "secure check"
+                                                : ""));
   }
 
   DomainOptions options_;
   SteadyClock clock_;
+  PeerWatch watch_;  // outlives the participant
   dds::DomainParticipant* participant_ = nullptr;
   dds::Publisher* publisher_ = nullptr;
   dds::Subscriber* subscriber_ = nullptr;
@@ -180,6 +186,10 @@ const Clock& Bus::clock() const {
 
 Pace Bus::pace() const {
   return participant_->options_.pace;
+}
+
+std::vector<RefusedPeer> Bus::refused_peers() const {
+  return participant_->watch_.refused();
 }
 
 bool wait_until(Bus& bus, Duration timeout, const std::function<bool()>& condition) {

@@ -11,6 +11,7 @@
 #include "services/bus/codec.hpp"
 #include "services/bus/mailbox.hpp"
 #include "services/common/clock.hpp"
+#include "services/common/security_files.hpp"
 #include "services/common/site_config.hpp"
 
 namespace tandem::bus {
@@ -40,12 +41,21 @@ struct DomainOptions {
   std::vector<std::string> peers;       ///< addresses to announce to, for Auto and Peers
   std::vector<std::string> servers;     ///< addresses of the discovery servers, for Server; whoever has one is one
   std::vector<std::string> partitions;  ///< teams on the link; empty on a host domain
-  double bulk_rate_bps = 1.6e6;         ///< bits per second that States may take of the link
+  /// DDS Security with these files, not with Server; none: without. Fast DDS says little of what is wrong with them:
+  /// services/security/check.hpp does.
+  std::optional<SecurityFiles> security;
+  double bulk_rate_bps = 1.6e6;  ///< bits per second that States may take of the link
   Pace pace = Pace::RealTime;
 };
 
 /// The host domain of `site` for the service `service`.
 [[nodiscard]] DomainOptions host_domain(const SiteConfig& site, const std::string& service, Pace pace = Pace::RealTime);
+
+/// Somebody in the domain with whom nothing is exchanged, for reasons of security.
+struct RefusedPeer {
+  std::string name;    ///< as it calls itself, which proves nothing
+  std::string reason;  ///< what is wrong with it or with us, as far as can be known
+};
 
 /// Sends raw samples.
 class RawWriter {
@@ -175,6 +185,8 @@ class Bus {
   /// Monotonic mission time; what `received` is stamped with.
   [[nodiscard]] const Clock& clock() const;
   [[nodiscard]] Pace pace() const;
+  /// Those who are refused now, or refuse us; no more than a handful.
+  [[nodiscard]] std::vector<RefusedPeer> refused_peers() const;
 
  private:
   class Participant;

@@ -5,6 +5,7 @@
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/DataReaderListener.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -35,6 +36,11 @@ KeyHash to_key(const rtps::InstanceHandle_t& handle) {
   return key;
 }
 
+/// Can Fast DDS carry it? It never returns from a write with a time before 1970, as a sample that came without any has.
+bool is_stamp(Time time) {
+  return time >= Time{} && time.time_since_epoch() < std::chrono::seconds{std::numeric_limits<std::int32_t>::max()};
+}
+
 class DdsWriter final : public RawWriter {
  public:
   DdsWriter(dds::Publisher* publisher, dds::DataWriter* writer, bool keyed)
@@ -46,7 +52,7 @@ class DdsWriter final : public RawWriter {
     RawPayload raw{payload, key, keyed_};
     last_[key] = payload;
     const rtps::InstanceHandle_t handle = keyed_ ? to_handle(key) : rtps::InstanceHandle_t{};
-    if (!source_time) return writer_->write(&raw, handle) == ReturnCode_t::RETCODE_OK;
+    if (!source_time || !is_stamp(*source_time)) return writer_->write(&raw, handle) == ReturnCode_t::RETCODE_OK;
     const std::int64_t stamp_ns = to_stamp_ns(*source_time);
     eprosima::fastrtps::Time_t stamp;
     stamp.seconds = static_cast<std::int32_t>(stamp_ns / 1'000'000'000);

@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <stdexcept>
 
 namespace tandem::bus {
 namespace {
@@ -38,6 +39,16 @@ std::vector<std::string> outside_settings(const DomainOptions& options) {
   return settings;
 }
 
+void refuse_what_breaks_security(const DomainOptions& options) {
+  if (!options.security) return;
+  // No discovery server works with security in Fast DDS 2.9, and the permissions name no topic of its statistics.
+  for (const char* variable : {"ROS_DISCOVERY_SERVER", "FASTDDS_STATISTICS"}) {
+    if (value_of(variable) == nullptr) continue;
+    throw std::runtime_error(std::string{variable} +
+                             " is set, and does not go with secure_link in site.toml: unset it");
+  }
+}
+
 bool has_outside_profile(dds::DomainParticipantFactory& factory, const DomainOptions& options,
                          dds::DomainParticipantQos& qos) {
   if (!is_link(options)) return false;
@@ -46,6 +57,7 @@ bool has_outside_profile(dds::DomainParticipantFactory& factory, const DomainOpt
   if (factory.get_participant_qos_from_profile(kOutsideProfile, profile) != ReturnCode_t::RETCODE_OK) return false;
   profile.name(qos.name());                             // the name tells whose participant it is
   profile.flow_controllers() = qos.flow_controllers();  // our writers ask for it by name
+  if (options.security) profile.properties() = qos.properties();
   qos = profile;
   return true;
 }

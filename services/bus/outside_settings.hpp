@@ -23,7 +23,10 @@ inline constexpr const char* kOutsideProfile = "tandem_link";
 /// What is set from outside and changes a participant of `options`, each as "name=value".
 [[nodiscard]] std::vector<std::string> outside_settings(const DomainOptions& options);
 
-/// Replaces `qos` where a profile says so; true if one did.
+/// Throws std::runtime_error where such a setting would break DDS Security: silently, if it was left to Fast DDS.
+void refuse_what_breaks_security(const DomainOptions& options);
+
+/// Replaces `qos` where a profile says so, but never what secures the link; true if one did.
 bool has_outside_profile(eprosima::fastdds::dds::DomainParticipantFactory& factory, const DomainOptions& options,
                          eprosima::fastdds::dds::DomainParticipantQos& qos);
 bool has_outside_profile(const eprosima::fastdds::dds::Publisher& publisher, const std::string& topic,

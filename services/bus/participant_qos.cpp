@@ -5,6 +5,8 @@
 #include <fastrtps/utils/IPLocator.h>
 
 #include <algorithm>
+#include <cassert>
+#include <cmath>
 #include <fastdds/rtps/flowcontrol/FlowControllerDescriptor.hpp>
 #include <memory>
 #include <stdexcept>
@@ -32,14 +34,21 @@ rtps::Locator_t locator_of(const std::string& address, std::uint32_t port) {
   return locator;
 }
 
-void limit_flow(dds::DomainParticipantQos& qos, double rate_bps) {
+/// As many bytes at a time as `options` lets through in 20 ms. On a secured link no more than one frame, more often: a
+/// writer makes its fragments so that they pass, and there the transport would let larger ones through.
+void limit_flow(dds::DomainParticipantQos& qos, const DomainOptions& options) {
   auto flow = std::make_shared<eprosima::fastdds::rtps::FlowControllerDescriptor>();
   flow->name = kLinkFlow;
   // Writers take turns: a plan does not wait for the whole of a map.
   flow->scheduler = eprosima::fastdds::rtps::FlowControllerSchedulerPolicy::ROUND_ROBIN;
-  const auto bytes = static_cast<std::int32_t>(rate_bps / 8.0 * static_cast<double>(kFlowPeriod_ms) / 1000.0);
+  const double bytes_per_ms = options.bulk_rate_bps / 8.0 / 1000.0;
+  const auto bytes = static_cast<std::int32_t>(bytes_per_ms * static_cast<double>(kFlowPeriod_ms));
   flow->max_bytes_per_period = std::max(bytes, static_cast<std::int32_t>(2 * kLinkDatagram));  // less would never fit
   flow->period_ms = kFlowPeriod_ms;
+  if (options.security) {
+    flow->max_bytes_per_period = kLinkDatagram;
+    flow->period_ms = static_cast<std::uint64_t>(std::max(1.0, std::round(kLinkDatagram / bytes_per_ms)));
+  }
   qos.flow_controllers().push_back(flow);
 }
 
@@ -87,6 +96,25 @@ void use_peers(dds::WireProtocolConfigQos& wire, const DomainOptions& options) {
   }
 }
 
+/// The builtin plugins of DDS Security.
+void secure(dds::DomainParticipantQos& qos, const SecurityFiles& files) {
+  const auto set = [&](const char* name, const std::string& value) {
+    qos.properties().properties().emplace_back(name, value);
+  };
+  const auto set_file = [&](const char* name, const std::filesystem::path& file) {
+    set(name, "file://" + file.string());
+  };
+  set("dds.sec.auth.plugin", "builtin.PKI-DH");
+  set_file("dds.sec.auth.builtin.PKI-DH.identity_ca", files.authority);
+  set_file("dds.sec.auth.builtin.PKI-DH.identity_certificate", files.certificate);
+  set_file("dds.sec.auth.builtin.PKI-DH.private_key", files.key);
+  set("dds.sec.access.plugin", "builtin.Access-Permissions");
+  set_file("dds.sec.access.builtin.Access-Permissions.permissions_ca", files.authority);
+  set_file("dds.sec.access.builtin.Access-Permissions.governance", files.governance);
+  set_file("dds.sec.access.builtin.Access-Permissions.permissions", files.permissions);
+  set("dds.sec.crypto.plugin", "builtin.AES-GCM-GMAC");
+}
+
 }  // namespace
 
 Discovery discovery_of(std::string_view word) {
@@ -106,7 +134,7 @@ dds::DomainParticipantQos participant_qos(const DomainOptions& options) {
   udp->sendBufferSize = kSocketBuffer;
   udp->receiveBufferSize = kSocketBuffer;
   // On the air one lost fragment of a datagram loses all of it, so a datagram is one frame.
-  if (link) udp->maxMessageSize = kLinkDatagram;
+  if (link) udp->maxMessageSize = options.security ? kSecuredDatagram : kLinkDatagram;
   qos.transport().use_builtin_transports = false;  // no shared memory: what it leaves behind survives crashes
   qos.transport().user_transports.push_back(udp);
 
@@ -119,7 +147,11 @@ dds::DomainParticipantQos participant_qos(const DomainOptions& options) {
   wire.builtin.avoid_builtin_multicast = true;  // announcements alone go to the group, where it works
 
   if (!link) return qos;
-  limit_flow(qos, options.bulk_rate_bps);
+  limit_flow(qos, options);
+  if (options.security) {
+    assert(options.discovery != Discovery::Server);
+    secure(qos, *options.security);
+  }
   if (options.discovery == Discovery::Server) use_servers(wire, options);
   if (options.discovery == Discovery::Auto || options.discovery == Discovery::Peers) use_peers(wire, options);
   return qos;

@@ -8,8 +8,12 @@ namespace tandem::bus {
 
 /// The flow controller of States and Bulk on the link.
 inline constexpr const char* kLinkFlow = "tandem_link";
-/// Largest datagram on the link: one frame of 1500 bytes, with room for a tunnel's headers.
-inline constexpr std::uint32_t kLinkDatagram = 1400;
+/// Largest datagram on the link: what WireGuard leaves of a frame (1420), less the headers of IP and UDP (28).
+inline constexpr std::uint32_t kLinkDatagram = 1392;
+/// Largest datagram on a secured link. Fast DDS 2.9 sends each message of the handshake, which holds certificate and
+/// permissions, in one datagram of at most this size; there IP has to make fragments. All that is long and comes later
+/// is kept within kLinkDatagram by the flow controller.
+inline constexpr std::uint32_t kSecuredDatagram = 6000;
 /// Where a discovery server listens, as Fast DDS's own tools have it.
 inline constexpr std::uint16_t kServerPort = 11811;
 

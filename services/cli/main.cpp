@@ -10,6 +10,7 @@
 #include "services/cli/plan_command.hpp"
 #include "services/cli/record_command.hpp"
 #include "services/cli/replay_command.hpp"
+#include "services/cli/secure_command.hpp"
 #include "services/cli/study_command.hpp"
 #include "services/cli/topics_command.hpp"
 #include "services/cli/up_command.hpp"
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
   add_localize_command(app);
   add_map_command(app);
   add_plan_command(app);
+  add_secure_command(app);
   add_study_command(app);
   add_topics_command(app);
 

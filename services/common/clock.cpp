@@ -20,6 +20,10 @@ Time SteadyClock::now() const {
   return Time{monotonic_now() + unix_minus_monotonic};
 }
 
+Time wall_time() {
+  return Time{std::chrono::system_clock::now().time_since_epoch()};
+}
+
 void SteadyClock::wait_until(Time time, const std::function<bool()>& interrupted) {
   constexpr Duration kSlice = std::chrono::milliseconds{50};
   while (!(interrupted && interrupted())) {

@@ -26,6 +26,9 @@ class SteadyClock final : public Clock {
   void wait_until(Time time, const std::function<bool()>& interrupted) override;
 };
 
+/// Unix time by the wall clock, which may step: for what others judge by it, as the validity of certificates.
+[[nodiscard]] Time wall_time();
+
 /// Time that stands still until a test moves it.
 class ManualClock final : public Clock {
  public:

@@ -20,4 +20,7 @@ class FileError : public std::runtime_error {
 /// FileError.
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 
+/// As write_file_atomically, for what only its owner may read, at no time anybody else: mode 0600. For keys.
+void write_private_file(const std::filesystem::path& file, std::string_view content);
+
 }  // namespace tandem

@@ -21,6 +21,10 @@ struct SiteConfig {
   std::string discovery = "auto";    ///< How relays find each other on the link.
   std::vector<std::string> peers;    ///< Addresses of the other relays, for "peers" and "auto".
   std::vector<std::string> servers;  ///< Addresses of the relays that keep the list for all, for "server".
+  /// Only hosts with a certificate of the lab's authority take part in the link, and all on it is encrypted.
+  bool secure_link = false;
+  /// Where this host's certificate and the rest of SecurityFiles are, for secure_link.
+  std::string security_folder = "/etc/tandem/security";
 
   template <typename Visitor>
   void visit_fields(Visitor& visitor) {
@@ -34,6 +38,8 @@ struct SiteConfig {
     visitor.field("discovery", discovery, {"auto", "multicast", "peers", "server"});
     visitor.field("peers", peers);
     visitor.field("servers", servers);
+    visitor.field("secure_link", secure_link);
+    visitor.field("security_folder", security_folder);
   }
 };
 

@@ -2,7 +2,9 @@
 
 #include <spdlog/spdlog.h>
 
+#include "services/common/format.hpp"
 #include "services/common/version.hpp"
+#include "services/relay/link_security.hpp"
 #include "services/relay/relay_messages.hpp"
 
 namespace tandem {
@@ -10,9 +12,20 @@ namespace {
 
 constexpr Duration kStatusPeriod = std::chrono::milliseconds{500};
 constexpr Duration kLookPeriod = std::chrono::seconds{1};
+constexpr int kDaysToWarn = 21;
 
-HostRole role_of(const SiteConfig& site) {
-  return site.role == "robot" ? HostRole::Robot : HostRole::Laptop;
+/// Security does not go with a discovery server: Fast DDS would join, and exchange nothing.
+void refuse_secured_server(const SiteConfig& site) {
+  if (!site.secure_link || site.discovery != "server") return;
+  throw ConfigError(
+      "site.toml: secure_link does not go with discovery = \"server\": Fast DDS 2.9 secures no discovery server. Use "
+      "\"auto\", \"peers\" or \"multicast\"");
+}
+
+void warn_before_the_end(const SiteConfig& site) {
+  if (!site.secure_link) return;
+  const int left = days_left(site, wall_time());
+  if (left < kDaysToWarn) spdlog::warn("security files end soon: days={} folder={}", left, site.security_folder);
 }
 
 }  // namespace
@@ -28,6 +41,7 @@ bus::DomainOptions link_domain(const SiteConfig& site, const RelayConfig& config
   options.servers = site.servers;
   options.partitions = {site.robot};
   options.bulk_rate_bps = config.bulk_rate_bps;
+  if (site.secure_link) options.security = security_files_in(site.security_folder);
   return options;
 }
 
@@ -40,6 +54,7 @@ RelayService::RelayService(const SiteConfig& site, const RelayConfig& config, bu
       monitor_(site.host, from_seconds(config.heartbeat_timeout_s)),
       maps_(site.host, from_seconds(config.map_patience_s), host) {
   if (is_alone()) return;
+  refuse_secured_server(site);
   for (const auto& topic : topics_by_urgency()) {
     if (!carries(rule_of(topic), role_of(site), Crossing::LinkToHost)) continue;
     inward_.push_back({topic, host.raw_writer(topic), {}});
@@ -56,10 +71,7 @@ void RelayService::follow_address() {
   const auto address = link_address(site_.link_address, AddressWatcher::addresses(), in_use);
   if (!address) {
     // A link whose address is gone is kept: when the same address comes back, it goes on.
-    if (!link_ && trouble_.empty()) {
-      trouble_ = "no address at " + site_.link_address;
-      spdlog::warn("waiting for the link: {}", trouble_);
-    }
+    if (!link_) set_trouble("waiting for the link", "no address at " + site_.link_address);
     return;
   }
   if (address != in_use) join_link(*address);
@@ -70,15 +82,35 @@ void RelayService::join_link(const std::string& address) {
   maps_.leave();
   link_.reset();  // first: two participants of one host would each send everything
   try {
+    if (const auto trouble = security_trouble(site_, wall_time()); !trouble.empty()) throw std::runtime_error(trouble);
     link_ = std::make_unique<LinkSide>(link_domain(site_, config_, address), role_of(site_), config_, host_, inward_,
                                        [this] { return clock_offset(); });
     maps_.join(link_->bus());
     trouble_.clear();
-    spdlog::info("link joined: address={} domain={} discovery={}", address, site_.link_domain, site_.discovery);
-  } catch (const std::runtime_error& error) {  // the address may have gone again meanwhile
-    trouble_ = error.what();
-    spdlog::warn("link not joined: {}", trouble_);
+    spdlog::info("link joined: address={} domain={} discovery={} secured={}", address, site_.link_domain,
+                 site_.discovery, site_.secure_link);
+    warn_before_the_end(site_);
+  } catch (const std::runtime_error& error) {  // the address may have gone again meanwhile, the clock may be set later
+    link_.reset();
+    set_trouble("link not joined", error.what());
   }
+}
+
+void RelayService::set_trouble(const char* what, const std::string& trouble) {
+  if (trouble != trouble_) spdlog::warn("{}: {}", what, trouble);
+  trouble_ = trouble;
+}
+
+void RelayService::look_for_refused() {
+  std::string refused;
+  if (link_) {
+    for (const auto& peer : link_->bus().refused_peers()) {
+      refused += formatted("%sno exchange with \"%s\": %s", refused.empty() ? "" : "; ", peer.name.c_str(),
+                           peer.reason.c_str());
+    }
+  }
+  if (!refused.empty() && refused != refused_) spdlog::warn("{}", refused);
+  refused_ = refused;
 }
 
 std::optional<Duration> RelayService::clock_offset() const {
@@ -91,6 +123,10 @@ void RelayService::step() {
   if (!is_alone() && (watcher_.changed() || (!link_ && now >= next_look_))) {
     follow_address();
     next_look_ = now + kLookPeriod;
+  }
+  if (now >= next_refused_) {
+    look_for_refused();
+    next_refused_ = now + kLookPeriod;
   }
   tell_host(exchange_heartbeats(now), now);
   maps_.step();
@@ -125,7 +161,9 @@ void RelayService::tell_host(const LinkState& state, Time now) {
   } else if (!trouble_.empty()) {
     health_.step(msg::HEALTH_DEGRADED, trouble_);
   } else {
-    health_.step(state.up ? msg::HEALTH_OK : msg::HEALTH_DEGRADED, state.up ? "" : "no heartbeat from the other host");
+    const std::string silence = state.up ? "" : "no heartbeat from the other host";
+    health_.step(state.up ? msg::HEALTH_OK : msg::HEALTH_DEGRADED,
+                 silence + (silence.empty() || refused_.empty() ? "" : "; ") + refused_);
   }
 }
 

@@ -29,6 +29,8 @@ class RelayService {
   [[nodiscard]] bool is_alone() const;  ///< everything runs on one host: nothing has to cross
   void follow_address();
   void join_link(const std::string& address);
+  void set_trouble(const char* what, const std::string& trouble);
+  void look_for_refused();
   [[nodiscard]] LinkState exchange_heartbeats(Time now);
   void tell_host(const LinkState& state, Time now);
   /// The peer's clock minus ours; nothing while unmeasured.
@@ -47,6 +49,8 @@ class RelayService {
   AddressWatcher watcher_;
   Time next_look_{};
   std::string trouble_;  // why the link is not joined, empty if it is
+  std::string refused_;  // who is on the link without being a peer, and why; empty if nobody
+  Time next_refused_{};
   std::vector<InwardTopic> inward_;
   std::unique_ptr<LinkSide> link_;
   MapRelay maps_;  // after the link: its readers there must go first

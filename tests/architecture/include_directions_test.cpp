@@ -28,6 +28,7 @@ const std::vector<Row>& rows() {
   static const std::vector<Row> table{
       {"idl/", {"idl/"}},
       {"services/common/", {"services/common/"}},
+      {"services/security/", {"services/common/", "services/security/"}},
       {"services/bus/", {"services/common/", "services/bus/", "idl/"}},
       {"services/mapping/core/", kCore},
       {"services/mapping/", with(kShell, {"services/mapping/"})},
@@ -43,7 +44,7 @@ const std::vector<Row>& rows() {
       {"services/navigator/core/", with(kCore, {"services/navigator/core/"})},
       {"services/navigator/", with(kShell, {"services/navigator/"})},
       {"services/relay/core/", with(kCore, {"services/relay/core/"})},
-      {"services/relay/", with(kShell, {"services/relay/"})},
+      {"services/relay/", with(kShell, {"services/relay/", "services/security/"})},
       {"services/recorder/core/", with(kCore, {"services/recorder/core/"})},
       {"services/recorder/", with(kShell, {"services/recorder/"})},
       // The simulated hardware speaks the drivers' own wire formats and sees through the same camera.
@@ -62,7 +63,7 @@ const std::vector<Row>& rows() {
       {"robot/laser/", with(kShell, {"robot/laser/", "robot/link/"})},
       {"robot/camera/core/", with(kCore, {"robot/camera/core/"})},
       {"robot/camera/", with(kShell, {"robot/camera/"})},
-      {"gateway/net/", {"gateway/net/", "services/common/"}},
+      {"gateway/net/", {"gateway/net/", "services/common/", "services/security/"}},
       {"gateway/protocol/", {"gateway/protocol/", "services/common/"}},
       {"gateway/server/core/", with(kCore, {"gateway/server/core/", "gateway/protocol/"})},
       {"gateway/server/", with(kShell, {"gateway/"})},
@@ -70,7 +71,8 @@ const std::vector<Row>& rows() {
       {"gateway/web/", {"gateway/net/"}},
       {"calibration/", with(kCore, {"calibration/", "*/core/"})},
       // Both sides of the link in a laboratory: ours through relays and bus, the peer through Fast DDS itself.
-      {"bench/network/", with(kShell, {"bench/", "services/relay/", "tests/network/"})},
+      {"bench/network/",
+       with(kShell, {"bench/", "services/relay/", "tests/network/", "tests/support/link_authority.hpp"})},
       {"bench/", with(kCore, {"bench/", "*/core/", "services/planner/remote/"})},
   };
   return table;

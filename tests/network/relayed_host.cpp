@@ -16,6 +16,8 @@ RelayedHost::RelayedHost(LabHost& host, const RelayOptions& options) : host_(hos
   site.discovery = options.discovery;
   site.peers = options.peers;
   site.servers = options.servers;
+  site.secure_link = !options.security_folder.empty();
+  if (site.secure_link) site.security_folder = options.security_folder;
   write_file_atomically(config_ / "site.toml", write_config(site));
   write_file_atomically(config_ / "relay.toml", "");
   // Threads of the bus are made in the host's network and stay there.

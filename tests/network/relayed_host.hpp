@@ -21,6 +21,7 @@ struct RelayOptions {
   std::string discovery = "auto";
   std::vector<std::string> peers{};
   std::vector<std::string> servers{};
+  std::string security_folder{};  ///< files of a secured link; empty: not secured
 };
 
 /// The relay of a host of a laboratory, as a process, and a bus for the services of that host, in the test's process.

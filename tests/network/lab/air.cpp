@@ -22,6 +22,13 @@ bool is_ipv4_multicast(const Frame& frame) {
   return frame[0] == 0x01 && frame[1] == 0x00 && frame[2] == 0x5E;
 }
 
+bool is_fragment(const Frame& frame) {
+  constexpr std::size_t kFragmentation = kHeaderSize + 6;  // flags and offset in IPv4's header
+  const bool ipv4 = frame[12] == 0x08 && frame[13] == 0x00;
+  if (!ipv4 || frame.size() < kFragmentation + 2) return false;
+  return (frame[kFragmentation] & 0x3f) != 0 || frame[kFragmentation + 1] != 0;  // more to come, or not the first
+}
+
 }  // namespace
 
 std::size_t Air::add_host(const MacAddress& address) {
@@ -34,6 +41,7 @@ std::vector<Air::Delivery> Air::carry(const Frame& frame, std::size_t from, Time
   if (!is_carried(frame)) return deliveries;
   ++hosts_[from].count.frames_sent;
   hosts_[from].count.bytes_sent += frame.size();
+  if (is_fragment(frame)) ++hosts_[from].count.fragments_sent;
   for (std::size_t to = 0; to < hosts_.size(); ++to) {
     if (to == from) continue;
     const bool meant =

@@ -60,6 +60,7 @@ class Air {
     std::uint64_t bytes_sent = 0;
     std::uint64_t frames_received = 0;
     std::uint64_t bytes_received = 0;
+    std::uint64_t fragments_sent = 0;  ///< frames with a part of an IPv4 packet that was too large for one
   };
   [[nodiscard]] const Count& count(std::size_t host) const { return hosts_[host].count; }
 

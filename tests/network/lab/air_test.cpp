@@ -162,6 +162,18 @@ TEST(Air, Duplicates) {
   EXPECT_EQ(air.carry(frame_to(kLaptop), kRobotPort, at_ms(0)).size(), 2U);
 }
 
+TEST(Air, CountsFragments) {
+  Air air = air_of_three();
+  Frame first = frame_to(kLaptop);
+  first[20] = 0x20;  // more fragments
+  Frame last = frame_to(kLaptop);
+  last[21] = 0xB9;  // 1480 bytes from the start
+  Frame whole = frame_to(kLaptop);
+  whole[20] = 0x40;  // must not be fragmented
+  for (const Frame& frame : {first, last, whole}) (void)air.carry(frame, kRobotPort, at_ms(0));
+  EXPECT_EQ(air.count(kRobotPort).fragments_sent, 2U);
+}
+
 TEST(Air, CountsWhatWasSentAndWhatArrived) {
   Air air = air_of_three();
   air.set(kLaptopPort, {.out = true});

@@ -47,6 +47,18 @@ TEST(Bus, DeliversAStreamToAReaderOfAnotherParticipant) {
   EXPECT_EQ(stamps, (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
 }
 
+TEST(Bus, ATimeThatFastDdsCannotCarryDoesNotHoldUpTheWriter) {
+  const test::DomainLease domain{1};
+  Bus sender{options_in(domain[0], "sender")};
+  auto writer = sender.writer(topic::kTeammates);
+  const msg::TeammateState state = teammate("person1", 1.0);
+  const auto payload = encode<msg::TeammateStatePubSubType>(state);
+  const auto key = key_of<msg::TeammateStatePubSubType>(state);
+  // What a sample has that came without a time, less an offset between clocks; and a time after 2038.
+  EXPECT_TRUE(writer.raw().write(payload, key, from_stamp_ns(-1'500'000'000)));
+  EXPECT_TRUE(writer.raw().write(payload, key, Time{seconds{3'000'000'000}}));
+}
+
 TEST(Bus, ALateJoinerGetsTheStateOfEveryInstance) {
   const test::DomainLease domain{1};
   Bus sender{options_in(domain[0], "sender")};

@@ -77,6 +77,34 @@ TEST_F(OutsideSettings, AProfileReplacesTheParticipantOfTheLinkAlone) {
   EXPECT_EQ(host.wire_protocol().builtin.discovery_config.leaseDuration, (Duration_t{5, 0}));
 }
 
+TEST_F(OutsideSettings, AProfileDoesNotTakeSecurityOffTheLink) {
+  auto options = on_link();
+  options.security = security_files_in("/somewhere");
+  auto qos = participant_qos(options);
+  ASSERT_TRUE(has_outside_profile(*dds::DomainParticipantFactory::get_instance(), options, qos));
+  EXPECT_EQ(qos.wire_protocol().builtin.discovery_config.leaseDuration, (Duration_t{7, 0}));
+  EXPECT_EQ(*eprosima::fastrtps::rtps::PropertyPolicyHelper::find_property(qos.properties(), "dds.sec.auth.plugin"),
+            "builtin.PKI-DH");
+}
+
+TEST_F(OutsideSettings, WhatBreaksSecurityIsRefusedThereAndObeyedElsewhere) {
+  auto secured = on_link();
+  secured.security = security_files_in("/somewhere");
+  EXPECT_NO_THROW(refuse_what_breaks_security(secured));
+  for (const char* variable : {"ROS_DISCOVERY_SERVER", "FASTDDS_STATISTICS"}) {
+    setenv(variable, "anything", 1);
+    EXPECT_NO_THROW(refuse_what_breaks_security(on_link()));
+    try {
+      refuse_what_breaks_security(secured);
+      ADD_FAILURE() << variable << " was not refused";
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ(std::string{error.what()},
+                std::string{variable} + " is set, and does not go with secure_link in site.toml: unset it");
+    }
+    unsetenv(variable);
+  }
+}
+
 TEST_F(OutsideSettings, AProfileOfATopicsNameReplacesItsWriterOnTheLinkAlone) {
   const test::DomainLease domain{1};
   auto* factory = dds::DomainParticipantFactory::get_instance();

@@ -68,8 +68,19 @@ TEST(Qos, StatesAreLatchedStreamsAreNot) {
 }
 
 TEST(Qos, OnTheLinkADatagramIsOneFrameAndOnTheHostItMayBeLarge) {
-  EXPECT_LE(transport_of(participant_qos(on_link())).maxMessageSize, 1472U);  // 1500 less IP and UDP headers
+  EXPECT_LE(transport_of(participant_qos(on_link())).maxMessageSize,
+            1392U);  // WireGuard leaves 1420, with 28 of IP and UDP
   EXPECT_GT(transport_of(participant_qos(on_host())).maxMessageSize, 60'000U);
+}
+
+TEST(Qos, OnASecuredLinkAStateIsSentFrameByFrameAtTheSameRate) {
+  DomainOptions options = on_link();
+  options.security = security_files_in("/somewhere");
+  options.bulk_rate_bps = 1.6e6;  // 1392 bytes each 7 ms
+  const auto& flow = *participant_qos(options).flow_controllers().front();
+  EXPECT_EQ(flow.max_bytes_per_period, 1392);
+  EXPECT_EQ(flow.period_ms, 7U);
+  EXPECT_EQ(transport_of(participant_qos(options)).maxMessageSize, kSecuredDatagram);
 }
 
 TEST(Qos, StatesOnTheLinkTakeNoMoreThanTheirRate) {
