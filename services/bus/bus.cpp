@@ -20,6 +20,7 @@
 #include "services/bus/endpoints.hpp"
 #include "services/bus/outside_settings.hpp"
 #include "services/bus/participant_qos.hpp"
+#include "services/bus/peer_watch.hpp"
 #include "services/bus/qos.hpp"
 #include "services/bus/raw_type.hpp"
 
@@ -58,7 +59,7 @@ DomainOptions host_domain(const SiteConfig& site, const std::string& service, Pa
 
 class Bus::Participant {
  public:
-  explicit Participant(const DomainOptions& options) : options_(options) {
+  explicit Participant(const DomainOptions& options) : options_(options), watch_(options.participant, clock_) {
     // Fast DDS itself would only log, and never send.
     if (!is_address_of_this_machine(options.address)) refuse();
     always_use_the_transport();
@@ -114,17 +115,17 @@ class Bus::Participant {
 
   /// Participants with given ids take them in turn. Fast DDS makes the GUID of process and id: one that came back with
   /// another address but the old id would be taken for the old one, until that is forgotten.
-  [[nodiscard]] dds::DomainParticipant* create(dds::DomainParticipantFactory& factory,
-                                               dds::DomainParticipantQos qos) const {
+  [[nodiscard]] dds::DomainParticipant* create(dds::DomainParticipantFactory& factory, dds::DomainParticipantQos qos) {
     static std::atomic<int> turn = 0;
     const auto domain = static_cast<dds::DomainId_t>(options_.domain);
-    if (qos.wire_protocol().participant_id < 0) return factory.create_participant(domain, qos);
+    const auto join = [&] { return factory.create_participant(domain, qos, &watch_, dds::StatusMask::none()); };
+    if (qos.wire_protocol().participant_id < 0) return join();
     for (int i = 0; i < kLinkIds; ++i) {
       qos.wire_protocol().participant_id = kFirstLinkId + turn++ % kLinkIds;
-      if (auto* made = factory.create_participant(domain, qos)) return made;
+      if (auto* made = join()) return made;
     }
     qos.wire_protocol().participant_id = -1;  // all taken: those who name us find us by our own announcements
-    return factory.create_participant(domain, qos);
+    return join();
   }
 
   [[noreturn]] void refuse() const {
@@ -134,6 +135,7 @@ class Bus::Participant {
 
   DomainOptions options_;
   SteadyClock clock_;
+  PeerWatch watch_;
   dds::DomainParticipant* participant_ = nullptr;
   dds::Publisher* publisher_ = nullptr;
   dds::Subscriber* subscriber_ = nullptr;
@@ -157,7 +159,7 @@ std::unique_ptr<RawWriter> Bus::raw_writer(const TopicInfo& topic) {
   if (has_outside_profile(*participant_->publisher_, std::string{topic.name}, options, qos)) {
     spdlog::warn("QoS from a Fast DDS profile: writer={} participant={}", topic.name, options.participant);
   }
-  return make_writer(participant_->publisher_, participant_->topic(topic), qos, topic.make_type()->m_isGetKeyDefined);
+  return make_writer(participant_->publisher_, participant_->topic(topic), qos, topic, participant_->watch_);
 }
 
 std::unique_ptr<Subscription> Bus::subscribe(const TopicInfo& topic, std::shared_ptr<Mailbox> mailbox) {
@@ -166,8 +168,8 @@ std::unique_ptr<Subscription> Bus::subscribe(const TopicInfo& topic, std::shared
   if (has_outside_profile(*participant_->subscriber_, std::string{topic.name}, options, qos)) {
     spdlog::warn("QoS from a Fast DDS profile: reader={} participant={}", topic.name, options.participant);
   }
-  return make_subscription(participant_->subscriber_, participant_->topic(topic), qos, std::move(mailbox),
-                           participant_->clock_, [this] { participant_->notify(); });
+  return make_subscription(participant_->subscriber_, participant_->topic(topic), qos, topic, std::move(mailbox),
+                           {participant_->clock_, participant_->watch_, [this] { participant_->notify(); }});
 }
 
 bool Bus::wait(Duration timeout) {
@@ -180,6 +182,14 @@ const Clock& Bus::clock() const {
 
 Pace Bus::pace() const {
   return participant_->options_.pace;
+}
+
+std::vector<PeerFault> Bus::peer_faults(Concern concern) const {
+  return participant_->watch_.faults(concern);
+}
+
+const PeerWatch& Bus::peers() const {
+  return participant_->watch_;
 }
 
 bool wait_until(Bus& bus, Duration timeout, const std::function<bool()>& condition) {

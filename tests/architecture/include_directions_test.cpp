@@ -28,6 +28,7 @@ const std::vector<Row>& rows() {
   static const std::vector<Row> table{
       {"idl/", {"idl/"}},
       {"services/common/", {"services/common/"}},
+      {"services/bus/core/", {"services/common/", "services/bus/core/"}},
       {"services/bus/", {"services/common/", "services/bus/", "idl/"}},
       {"services/mapping/core/", kCore},
       {"services/mapping/", with(kShell, {"services/mapping/"})},
