@@ -100,6 +100,11 @@ std::vector<TopicView> TopicLedger::view(const std::vector<std::string>& topics,
     view.topic = name;
     sort_by_name(view.writers);
     sort_by_name(view.readers);
+    // A service may read a topic more than once: it is one that hears.
+    const auto same = [](const ReaderView& a, const ReaderView& b) {
+      return a.host == b.host && a.service == b.service;
+    };
+    view.readers.erase(std::unique(view.readers.begin(), view.readers.end(), same), view.readers.end());
     ordered.push_back(std::move(view));
     views.erase(name);
   };

@@ -40,6 +40,7 @@ class TopicLedgerTest : public ::testing::Test {
 };
 
 TEST_F(TopicLedgerTest, NamesWritersAndReadersByHostAndService) {
+  endpoints_.push_back(endpoint({4}, "relay@robot1", bus::Endpoint::Kind::Reader));  // it reads twice
   const auto views = ledger_.view({"odometry", "scan"}, endpoints_, {}, now_);
   ASSERT_EQ(views.size(), 2U);
   ASSERT_EQ(views[0].writers.size(), 1U);
