@@ -160,12 +160,34 @@ struct TopicInfo {
   std::string_view appliers;
   /// A new type support of the topic's message.
   std::unique_ptr<eprosima::fastdds::dds::TopicDataType> (*make_type)();
+  /// Whether a message of the topic's type holds a NaN where none may be.
+  bool (*holds_nan)(const void* message);
 };
+
+/// A NaN is the one value that does not equal itself, and so is a message with one inside.
+template <class Message>
+[[nodiscard]] bool holds_nan(const Message& message) {
+  return !(message == message);
+}
+/// NaN is a beam that saw nothing.
+[[nodiscard]] inline bool holds_nan(const msg::LaserScan& scan) {
+  msg::LaserScan beamless = scan;
+  beamless.ranges_m().clear();
+  return !(beamless == beamless);
+}
+/// The safety gate judges commands, and counts those that are nonsense.
+[[nodiscard]] inline bool holds_nan(const msg::VelocityCommand&) {
+  return false;
+}
 
 template <class PubSubType>
 [[nodiscard]] TopicInfo info_of(const Topic<PubSubType>& topic) {
-  return {topic.name, topic.delivery, topic.relay, topic.appliers,
-          +[]() -> std::unique_ptr<eprosima::fastdds::dds::TopicDataType> { return std::make_unique<PubSubType>(); }};
+  return {topic.name,
+          topic.delivery,
+          topic.relay,
+          topic.appliers,
+          +[]() -> std::unique_ptr<eprosima::fastdds::dds::TopicDataType> { return std::make_unique<PubSubType>(); },
+          +[](const void* message) { return holds_nan(*static_cast<const typename PubSubType::type*>(message)); }};
 }
 
 /// Every topic of the contract, in the order above.

@@ -145,6 +145,7 @@ void BaseService::cycle() {
   if (!input_.base.connected) input_.base.motors_enabled = false;
   feed_.feed(gate_, input_.base.odom_from_base, now);
   feed_.complete(input_, now);
+  input_.other_base = health_.is_doubled();
 
   const safety::GateDecision decision = gate_.step(input_, now);
   input_.base.odometry_jumped = false;
@@ -168,6 +169,9 @@ void BaseService::publish_status(const safety::GateDecision& decision, Time now)
     health_.step(model_.empty() ? msg::HEALTH_STARTING : msg::HEALTH_FAILED, link_.trouble());
   } else if (decision.battery_warning) {
     health_.step(msg::HEALTH_DEGRADED, "the battery is low: finish soon and charge");
+  } else if (decision.causes.test(index_of(safety::Cause::TwoCommanders))) {
+    const auto& rule = safety::rule_of(safety::Cause::TwoCommanders);
+    health_.step(msg::HEALTH_OK, "", {{std::string{rule.fault_id}, std::string{rule.message}}});
   } else {
     health_.step(msg::HEALTH_OK);
   }

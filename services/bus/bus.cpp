@@ -59,7 +59,8 @@ DomainOptions host_domain(const SiteConfig& site, const std::string& service, Pa
 
 class Bus::Participant {
  public:
-  explicit Participant(const DomainOptions& options) : options_(options), watch_(options.security.has_value(), clock_) {
+  explicit Participant(const DomainOptions& options)
+      : options_(options), watch_(options.participant, options.security.has_value(), clock_) {
     // Fast DDS itself would only log, and never send.
     if (!is_address_of_this_machine(options.address)) refuse();
     refuse_what_breaks_security(options);
@@ -119,14 +120,14 @@ class Bus::Participant {
   [[nodiscard]] dds::DomainParticipant* create(dds::DomainParticipantFactory& factory, dds::DomainParticipantQos qos) {
     static std::atomic<int> turn = 0;
     const auto domain = static_cast<dds::DomainId_t>(options_.domain);
-    if (qos.wire_protocol().participant_id < 0)
-      return factory.create_participant(domain, qos, &watch_, dds::StatusMask::none());
+    const auto join = [&] { return factory.create_participant(domain, qos, &watch_, dds::StatusMask::none()); };
+    if (qos.wire_protocol().participant_id < 0) return join();
     for (int i = 0; i < kLinkIds; ++i) {
       qos.wire_protocol().participant_id = kFirstLinkId + turn++ % kLinkIds;
-      if (auto* made = factory.create_participant(domain, qos, &watch_, dds::StatusMask::none())) return made;
+      if (auto* made = join()) return made;
     }
     qos.wire_protocol().participant_id = -1;  // all taken: those who name us find us by our own announcements
-    return factory.create_participant(domain, qos, &watch_, dds::StatusMask::none());
+    return join();
   }
 
   [[noreturn]] void refuse() const {
@@ -163,7 +164,7 @@ std::unique_ptr<RawWriter> Bus::raw_writer(const TopicInfo& topic) {
   if (has_outside_profile(*participant_->publisher_, std::string{topic.name}, options, qos)) {
     spdlog::warn("QoS from a Fast DDS profile: writer={} participant={}", topic.name, options.participant);
   }
-  return make_writer(participant_->publisher_, participant_->topic(topic), qos, topic.make_type()->m_isGetKeyDefined);
+  return make_writer(participant_->publisher_, participant_->topic(topic), qos, topic, participant_->watch_);
 }
 
 std::unique_ptr<Subscription> Bus::subscribe(const TopicInfo& topic, std::shared_ptr<Mailbox> mailbox) {
@@ -172,8 +173,8 @@ std::unique_ptr<Subscription> Bus::subscribe(const TopicInfo& topic, std::shared
   if (has_outside_profile(*participant_->subscriber_, std::string{topic.name}, options, qos)) {
     spdlog::warn("QoS from a Fast DDS profile: reader={} participant={}", topic.name, options.participant);
   }
-  return make_subscription(participant_->subscriber_, participant_->topic(topic), qos, std::move(mailbox),
-                           participant_->clock_, [this] { participant_->notify(); });
+  return make_subscription(participant_->subscriber_, participant_->topic(topic), qos, topic, std::move(mailbox),
+                           {participant_->clock_, participant_->watch_, [this] { participant_->notify(); }});
 }
 
 bool Bus::wait(Duration timeout) {
@@ -190,6 +191,14 @@ Pace Bus::pace() const {
 
 std::vector<RefusedPeer> Bus::refused_peers() const {
   return participant_->watch_.refused();
+}
+
+std::vector<PeerFault> Bus::peer_faults(Concern concern) const {
+  return participant_->watch_.faults(concern);
+}
+
+const PeerWatch& Bus::peers() const {
+  return participant_->watch_;
 }
 
 bool wait_until(Bus& bus, Duration timeout, const std::function<bool()>& condition) {

@@ -9,12 +9,15 @@
 
 #include "idl/topics.hpp"
 #include "services/bus/codec.hpp"
+#include "services/bus/core/endpoint_table.hpp"
 #include "services/bus/mailbox.hpp"
 #include "services/common/clock.hpp"
 #include "services/common/security_files.hpp"
 #include "services/common/site_config.hpp"
 
 namespace tandem::bus {
+
+class PeerWatch;
 
 /// Real time, or lockstep replay: then every topic is lossless and nothing is timed.
 enum class Pace { RealTime, Lockstep };
@@ -66,6 +69,10 @@ class RawWriter {
                      std::optional<Time> source_time = {}) = 0;
   /// Says that the instance has ended.
   virtual bool dispose(const KeyHash& key) = 0;
+  /// Says that nobody writes the instance any more: its readers keep it, marked.
+  virtual bool withdraw(const KeyHash& key) = 0;
+  /// Writes the last sample of the instance again, with its old source time. False if there is none.
+  virtual bool renew(const KeyHash& key) = 0;
   [[nodiscard]] virtual int matched_readers() const = 0;
   /// Waits until every matched reliable reader has acknowledged everything. False on time-out.
   virtual bool wait_for_acknowledgments(Duration timeout) = 0;
@@ -90,6 +97,8 @@ class Subscription {
  public:
   virtual ~Subscription() = default;
   [[nodiscard]] virtual int matched_writers() const = 0;
+  /// Samples that were dropped because they were not a message of the topic.
+  [[nodiscard]] virtual std::uint64_t malformed() const = 0;
 };
 
 /// The newest of a topic: for control, where only the newest counts.
@@ -102,7 +111,7 @@ class Latest {
   [[nodiscard]] std::optional<Received<Message>> newest() const { return decoded(box_->newest()); }
   /// The newest sample, once.
   [[nodiscard]] std::optional<Received<Message>> take_new() { return decoded(box_->take_new()); }
-  /// The newest sample of each live instance of a keyed topic.
+  /// The newest sample of each instance of a keyed topic that was not disposed of.
   [[nodiscard]] std::vector<Received<Message>> each() const {
     std::vector<Received<Message>> all;
     for (auto& raw : box_->each()) {
@@ -117,7 +126,7 @@ class Latest {
     if (!raw) return std::nullopt;
     auto message = decode<PubSubType>(raw->payload);
     if (!message) return std::nullopt;
-    return Received<Message>{std::move(*message), raw->received, raw->source_time, raw->writer};
+    return Received<Message>{std::move(*message), raw->received, raw->source_time, raw->writer, raw->writer_alive};
   }
   std::shared_ptr<LatestBox> box_;
   std::unique_ptr<Subscription> subscription_;
@@ -129,27 +138,24 @@ class InOrder {
  public:
   InOrder(std::shared_ptr<InOrderBox> box, std::unique_ptr<Subscription> subscription)
       : box_(std::move(box)), subscription_(std::move(subscription)) {}
-  /// All that came since the last call; what cannot be decoded is left out and counted.
+  /// All that came since the last call; malformed samples were left out and counted.
   [[nodiscard]] std::vector<Received<Message>> take() {
     std::vector<Received<Message>> all;
     for (const auto& raw : box_->take()) {
       if (raw.kind != RawSample::Kind::Data) continue;
       if (auto message = decode<PubSubType>(raw.payload)) {
-        all.push_back({std::move(*message), raw.received, raw.source_time, raw.writer});
-      } else {
-        ++undecodable_;
+        all.push_back({std::move(*message), raw.received, raw.source_time, raw.writer, raw.writer_alive});
       }
     }
     return all;
   }
   [[nodiscard]] std::uint64_t dropped() const { return box_->dropped(); }
-  [[nodiscard]] std::uint64_t undecodable() const { return undecodable_; }
+  [[nodiscard]] std::uint64_t undecodable() const { return subscription_->malformed(); }
   [[nodiscard]] int matched_writers() const { return subscription_->matched_writers(); }
 
  private:
   std::shared_ptr<InOrderBox> box_;
   std::unique_ptr<Subscription> subscription_;
-  std::uint64_t undecodable_ = 0;
 };
 
 /// One participant in one DDS domain; readers and writers end before it. Throws std::runtime_error when the domain
@@ -187,6 +193,10 @@ class Bus {
   [[nodiscard]] Pace pace() const;
   /// Those who are refused now, or refuse us; no more than a handful.
   [[nodiscard]] std::vector<RefusedPeer> refused_peers() const;
+  /// What others in this domain do wrong, as far as our own readers and writers are concerned; or among all.
+  [[nodiscard]] std::vector<PeerFault> peer_faults(Concern concern = Concern::Own) const;
+  /// Who is in this domain, for those who show it.
+  [[nodiscard]] const PeerWatch& peers() const;
 
  private:
   class Participant;

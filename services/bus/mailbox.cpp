@@ -12,11 +12,22 @@ void LatestBox::put(RawSample sample) {
     newest_ = sample;
     live_[sample.key] = std::move(sample);
     fresh_ = true;
-    return;
+  } else if (sample.kind == RawSample::Kind::WriterBack) {
+    gone_.erase(sample.key);
+    mark(sample.key, true);
+  } else if (sample.kind == RawSample::Kind::NoWriter) {
+    gone_[sample.key] = sample.kind;
+    mark(sample.key, false);
+  } else {
+    live_.erase(sample.key);
+    gone_[sample.key] = sample.kind;
+    if (newest_ && newest_->key == sample.key) newest_.reset();
   }
-  live_.erase(sample.key);
-  gone_[sample.key] = sample.kind;
-  if (newest_ && newest_->key == sample.key) newest_.reset();
+}
+
+void LatestBox::mark(const KeyHash& key, bool writer_alive) {
+  if (const auto known = live_.find(key); known != live_.end()) known->second.writer_alive = writer_alive;
+  if (newest_ && newest_->key == key) newest_->writer_alive = writer_alive;
 }
 
 std::vector<RawSample> LatestBox::each() const {

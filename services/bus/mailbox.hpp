@@ -22,13 +22,20 @@ using KeyHash = std::array<std::uint8_t, 16>;
 
 /// A sample as it travels: the CDR payload with its 4-byte encapsulation header.
 struct RawSample {
-  enum class Kind { Data, Disposed, NoWriter };
-  Kind kind = Kind::Data;  ///< Disposed by its writer, or all its writers are gone: then no payload.
+  enum class Kind {
+    Data,
+    Disposed,    ///< its writer ended the instance
+    NoWriter,    ///< the instance's last writer is gone: nobody keeps it up to date
+    WriterBack,  ///< that writer is back, and what it wrote last still holds
+  };
+  Kind kind = Kind::Data;  ///< All others have no payload.
   std::vector<std::uint8_t> payload;
   KeyHash key{};
   WriterId writer{};
-  Time source_time{};  ///< stamped by the writer, its host's clock
-  Time received{};     ///< this host's monotonic mission time
+  Time source_time{};                 ///< stamped by the writer, its host's clock
+  Time received{};                    ///< this host's monotonic mission time
+  std::uint64_t sequence_number = 0;  ///< of the writer, without gaps unless samples were lost
+  bool writer_alive = true;           ///< false once the instance has no writer: what a State says may have changed
 };
 
 /// A decoded sample.
@@ -38,6 +45,7 @@ struct Received {
   Time received{};
   Time source_time{};
   WriterId writer{};
+  bool writer_alive = true;  ///< false once the instance has no writer: what a State says may have changed
 };
 
 /// What a reader's listener fills and a service empties. Thread-safe.
@@ -47,11 +55,11 @@ class Mailbox {
   virtual void put(RawSample sample) = 0;
 };
 
-/// Keeps the newest sample of each instance.
+/// Keeps the newest sample of each instance until it is disposed of; one without a writer is marked.
 class LatestBox final : public Mailbox {
  public:
   void put(RawSample sample) override;
-  [[nodiscard]] std::vector<RawSample> each() const;      ///< one per live instance
+  [[nodiscard]] std::vector<RawSample> each() const;      ///< one per instance
   [[nodiscard]] std::optional<RawSample> newest() const;  ///< over all instances
   /// The newest sample if one came since the last call.
   [[nodiscard]] std::optional<RawSample> take_new();
@@ -59,6 +67,8 @@ class LatestBox final : public Mailbox {
   [[nodiscard]] std::uint64_t count() const;        ///< samples ever put
 
  private:
+  void mark(const KeyHash& key, bool writer_alive);
+
   mutable std::mutex mutex_;
   std::map<KeyHash, RawSample> live_;
   std::map<KeyHash, RawSample::Kind> gone_;

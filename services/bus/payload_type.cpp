@@ -7,10 +7,13 @@ namespace {
 
 using eprosima::fastdds::dds::TopicDataType;
 
+constexpr std::size_t kEncapsulation = 4;          // bytes of the header of every payload
+constexpr std::uint8_t kLastEncapsulation = 0x03;  // CDR and parameter lists, big and little endian
+
 /// Calls `use(message)` with the message in `payload`. False if it is not well-formed, or what `use` returns.
 template <typename Use>
 bool with_message(TopicDataType& type, std::span<const std::uint8_t> payload, Use use) {
-  if (payload.size() < 4) return false;  // not even an encapsulation header
+  if (payload.size() < kEncapsulation) return false;
   eprosima::fastrtps::rtps::SerializedPayload_t cdr{static_cast<std::uint32_t>(payload.size())};
   std::copy(payload.begin(), payload.end(), cdr.data);
   cdr.length = static_cast<std::uint32_t>(payload.size());
@@ -22,8 +25,16 @@ bool with_message(TopicDataType& type, std::span<const std::uint8_t> payload, Us
 
 }  // namespace
 
-bool PayloadType::is_well_formed(std::span<const std::uint8_t> payload) const {
-  return with_message(*type_, payload, [](void*) { return true; });
+std::string_view PayloadType::problem_of(std::span<const std::uint8_t> payload) const {
+  if (payload.size() < kEncapsulation) return "cut short";
+  if (payload[0] != 0 || payload[1] > kLastEncapsulation) return "unknown encapsulation";
+  bool holds_nan = false;
+  const bool whole = with_message(*type_, payload, [&](void* message) {
+    holds_nan = holds_nan_(message);
+    return true;
+  });
+  if (!whole) return "cut short, or longer inside than it is";
+  return holds_nan ? "a number is NaN" : "";
 }
 
 std::optional<KeyHash> PayloadType::key_of(std::span<const std::uint8_t> payload) const {

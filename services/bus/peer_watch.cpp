@@ -1,90 +1,135 @@
 #include "services/bus/peer_watch.hpp"
 
-#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/rtps/participant/ParticipantDiscoveryInfo.h>
+#include <fastdds/rtps/reader/ReaderDiscoveryInfo.h>
+#include <fastdds/rtps/writer/WriterDiscoveryInfo.h>
+
+#include "services/bus/guid.hpp"
 
 namespace tandem::bus {
 namespace {
 
-namespace dds = eprosima::fastdds::dds;
 namespace rtps = eprosima::fastrtps::rtps;
 
-static_assert(HAVE_SECURITY, "secure_link needs a Fast DDS that was built with SECURITY=ON, as Debian's is");
+/// So long after its last malformed sample a writer is still named: longer than a look at a screen.
+constexpr Duration kNamedFor = std::chrono::seconds{10};
+/// Writers of malformed samples that are remembered; an attacker can make as many as it likes.
+constexpr std::size_t kMostWriters = 100;
 
-constexpr std::size_t kMostPeers = 64;   // whoever is on the Wi-Fi can announce thousands
-constexpr std::size_t kMostRefused = 4;  // a handful is enough to read
-constexpr std::size_t kLongestName = 60;
-constexpr Duration kHandshake = std::chrono::seconds{5};  // takes a tenth of a second, and some more through loss
-
-/// What a stranger says of itself, fit for a log.
-std::string readable(const std::string& text) {
-  std::string kept = text.substr(0, kLongestName);
-  for (char& letter : kept) {
-    if (letter < ' ' || letter > '~') letter = '?';
-  }
-  return kept;
-}
-
-/// Of the authority that signed the participant's certificate, as it says itself; empty without one.
-std::string authority_of(const rtps::ParticipantProxyData& participant) {
-  for (const auto& property : participant.identity_token_.properties()) {
-    if (property.name() == "dds.ca.sn") return readable(property.value());
-  }
-  return participant.identity_token_.class_id().empty() ? "" : "unknown";
+template <class Data>
+Endpoint endpoint_of(const Data& data, Endpoint::Kind kind) {
+  Endpoint endpoint;
+  endpoint.id = to_endpoint_id(data.guid());
+  endpoint.kind = kind;
+  endpoint.topic = data.topicName().to_string();
+  endpoint.type = data.typeName().to_string();
+  endpoint.keyed = data.topicKind() == rtps::WITH_KEY;
+  endpoint.qos = to_endpoint_qos(data.m_qos.m_reliability, data.m_qos.m_durability, data.m_qos.m_ownership,
+                                 data.m_qos.m_liveliness, data.m_qos.m_deadline);
+  return endpoint;
 }
 
 }  // namespace
 
-std::vector<RefusedPeer> PeerWatch::refused() const {
+void PeerWatch::own_found(Endpoint endpoint) {
   const std::lock_guard lock{mutex_};
-  std::vector<RefusedPeer> all;
-  for (const auto& [prefix, peer] : peers_) {
-    if (all.size() == kMostRefused) break;
-    std::string reason = reason_to_refuse(peer);
-    if (!reason.empty()) all.push_back({peer.name, std::move(reason)});
-  }
-  return all;
+  endpoint.own = true;
+  endpoint.participant = own_name_;
+  misfits_.clear();
+  table_.found(endpoint);
 }
 
-std::string PeerWatch::reason_to_refuse(const Peer& peer) const {
-  if (!secured_) return peer.authority.empty() ? "" : "its link is secured, and this host's is not";
-  if (peer.standing == Peer::Standing::Admitted) return "";
-  if (peer.standing == Peer::Standing::Unknown) {
-    if (clock_.now() - peer.since < kHandshake) return "";
-    return "no handshake: its certificate is of the authority \"" + peer.authority +
-           "\"; is that another than ours, or are datagrams larger than a frame dropped on the way?";
-  }
-  if (peer.authority.empty()) return "it has no certificate: its link is not secured";
-  return "its certificate of the authority \"" + peer.authority + "\" or its permissions do not hold here";
-}
-
-void PeerWatch::on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& info) {
-  using Info = rtps::ParticipantDiscoveryInfo;
+void PeerWatch::own_gone(const EndpointId& id) {
   const std::lock_guard lock{mutex_};
-  const auto& prefix = info.info.m_guid.guidPrefix;
-  if (info.status == Info::REMOVED_PARTICIPANT || info.status == Info::DROPPED_PARTICIPANT) {
-    peers_.erase(prefix);
-    return;
-  }
-  Peer* peer = peer_of(prefix);
-  if (peer == nullptr) return;
-  peer->name = readable(info.info.m_participantName.to_string());
-  peer->authority = authority_of(info.info);
+  misfits_.clear();
+  table_.gone(id);
 }
 
-void PeerWatch::onParticipantAuthentication(dds::DomainParticipant*, rtps::ParticipantAuthenticationInfo&& info) {
+void PeerWatch::malformed(const std::string& topic, const WriterId& writer, std::string_view problem) {
   const std::lock_guard lock{mutex_};
-  Peer* peer = peer_of(info.guid.guidPrefix);
-  if (peer == nullptr) return;
-  peer->standing = info.status == rtps::ParticipantAuthenticationInfo::AUTHORIZED_PARTICIPANT ? Peer::Standing::Admitted
-                                                                                              : Peer::Standing::Refused;
+  if (malformed_.size() >= kMostWriters) malformed_.clear();
+  auto& entry = malformed_[{topic, writer}];
+  entry.topic = topic;
+  entry.writer = writer;
+  entry.participant = table_.participant_of(writer);
+  entry.problem = problem;
+  ++entry.count;
+  entry.last = clock_.now();
 }
 
-PeerWatch::Peer* PeerWatch::peer_of(const rtps::GuidPrefix_t& prefix) {
-  if (const auto known = peers_.find(prefix); known != peers_.end()) return &known->second;
-  if (peers_.size() >= kMostPeers) return nullptr;
-  Peer& peer = peers_[prefix];
-  peer.since = clock_.now();
-  return &peer;
+std::vector<PeerFault> PeerWatch::faults(Concern concern) const {
+  const std::lock_guard lock{mutex_};
+  std::vector<PeerFault> faults;
+  for (const auto& [key, entry] : malformed_) {
+    if (clock_.now() - entry.last > kNamedFor) continue;
+    faults.push_back(
+        {"X1", "malformed samples on " + entry.topic + " from " + entry.participant + " dropped: " + entry.problem});
+  }
+  const auto& known = known_misfits(concern);
+  faults.insert(faults.end(), known.begin(), known.end());
+  return faults;
+}
+
+const std::vector<PeerFault>& PeerWatch::known_misfits(Concern concern) const {
+  const auto known = misfits_.find(concern);
+  if (known != misfits_.end()) return known->second;
+  return misfits_[concern] = misfits(table_.endpoints(), concern);
+}
+
+std::vector<Endpoint> PeerWatch::endpoints() const {
+  const std::lock_guard lock{mutex_};
+  return table_.endpoints();
+}
+
+std::vector<std::string> PeerWatch::participants() const {
+  const std::lock_guard lock{mutex_};
+  return table_.participants();
+}
+
+std::vector<MalformedCount> PeerWatch::malformed_counts() const {
+  const std::lock_guard lock{mutex_};
+  std::vector<MalformedCount> counts;
+  for (const auto& [key, entry] : malformed_) counts.push_back(entry);
+  return counts;
+}
+
+void PeerWatch::on_participant_discovery(Participant*, rtps::ParticipantDiscoveryInfo&& info) {
+  handshakes_.discovered(info);
+  ParticipantId id{};
+  for (std::size_t i = 0; i < id.size(); ++i) id[i] = info.info.m_guid.guidPrefix.value[i];
+  const std::lock_guard lock{mutex_};
+  misfits_.clear();
+  const auto status = info.status;
+  if (status == rtps::ParticipantDiscoveryInfo::REMOVED_PARTICIPANT ||
+      status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT) {
+    table_.participant_gone(id);
+  } else {
+    table_.participant_found(id, info.info.m_participantName.to_string());
+  }
+}
+
+void PeerWatch::onParticipantAuthentication(Participant*, rtps::ParticipantAuthenticationInfo&& info) {
+  handshakes_.authenticated(info);
+}
+
+void PeerWatch::on_publisher_discovery(Participant*, rtps::WriterDiscoveryInfo&& info) {
+  const std::lock_guard lock{mutex_};
+  misfits_.clear();
+  if (info.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER) {
+    table_.gone(to_endpoint_id(info.info.guid()));
+  } else {
+    table_.found(endpoint_of(info.info, Endpoint::Kind::Writer));
+  }
+}
+
+void PeerWatch::on_subscriber_discovery(Participant*, rtps::ReaderDiscoveryInfo&& info) {
+  const std::lock_guard lock{mutex_};
+  misfits_.clear();
+  if (info.status == rtps::ReaderDiscoveryInfo::REMOVED_READER) {
+    table_.gone(to_endpoint_id(info.info.guid()));
+  } else {
+    table_.found(endpoint_of(info.info, Endpoint::Kind::Reader));
+  }
 }
 
 }  // namespace tandem::bus

@@ -4,44 +4,56 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "services/bus/bus.hpp"
+#include "services/bus/core/endpoint_table.hpp"
+#include "services/bus/handshake_watch.hpp"
+#include "services/bus/mailbox.hpp"
+#include "services/common/clock.hpp"
 
 namespace tandem::bus {
 
-/// Hears which participants are there, and which of them do not become peers for reasons of security.
-///
-/// Fast DDS tells that somebody was refused, but not why; what can be known is in the identity that each participant
-/// announces.
+/// Hears who comes and goes in a domain, and counts what came malformed: to name the peers that do wrong. Thread-safe.
 class PeerWatch final : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
-  /// `secured`: is this side? `clock` must outlive it.
-  PeerWatch(bool secured, const Clock& clock) : secured_(secured), clock_(clock) {}
+  /// `secured`: must peers prove who they are? `clock` must outlive it.
+  PeerWatch(std::string own_name, bool secured, const Clock& clock)
+      : own_name_(std::move(own_name)), clock_(clock), handshakes_(secured, clock) {}
 
-  /// Those who are refused now, or refuse us; no more than a handful.
-  [[nodiscard]] std::vector<RefusedPeer> refused() const;
+  /// A writer or reader of ours was made, or will be deleted.
+  void own_found(Endpoint endpoint);
+  void own_gone(const EndpointId& id);
+  /// A sample of `writer` was dropped because of `problem`.
+  void malformed(const std::string& topic, const WriterId& writer, std::string_view problem);
 
-  void on_participant_discovery(eprosima::fastdds::dds::DomainParticipant* participant,
-                                eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
-  void onParticipantAuthentication(eprosima::fastdds::dds::DomainParticipant* participant,
-                                   eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) override;
+  /// X1 of late, and X3.
+  [[nodiscard]] std::vector<PeerFault> faults(Concern concern) const;
+  [[nodiscard]] std::vector<Endpoint> endpoints() const;
+  [[nodiscard]] std::vector<std::string> participants() const;
+  [[nodiscard]] std::vector<MalformedCount> malformed_counts() const;
+  /// Those who are refused now for reasons of security, or refuse us; no more than a handful.
+  [[nodiscard]] std::vector<RefusedPeer> refused() const { return handshakes_.refused(); }
 
  private:
-  struct Peer {
-    std::string name;
-    std::string authority;  ///< that signed its certificate, as it says; empty if it has none
-    enum class Standing { Unknown, Admitted, Refused } standing = Standing::Unknown;
-    Time since{};  ///< when it was heard of first
-  };
-  [[nodiscard]] std::string reason_to_refuse(const Peer& peer) const;
+  using Participant = eprosima::fastdds::dds::DomainParticipant;
+  void on_participant_discovery(Participant*, eprosima::fastrtps::rtps::ParticipantDiscoveryInfo&& info) override;
+  void onParticipantAuthentication(Participant*,
+                                   eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) override;
+  void on_publisher_discovery(Participant*, eprosima::fastrtps::rtps::WriterDiscoveryInfo&& info) override;
+  void on_subscriber_discovery(Participant*, eprosima::fastrtps::rtps::ReaderDiscoveryInfo&& info) override;
 
-  [[nodiscard]] Peer* peer_of(const eprosima::fastrtps::rtps::GuidPrefix_t& prefix);
+  /// The misfits among all endpoints, found anew only after somebody came or went: services ask often.
+  [[nodiscard]] const std::vector<PeerFault>& known_misfits(Concern concern) const;
 
-  const bool secured_;
+  std::string own_name_;
   const Clock& clock_;
+  HandshakeWatch handshakes_;
   mutable std::mutex mutex_;
-  std::map<eprosima::fastrtps::rtps::GuidPrefix_t, Peer> peers_;
+  EndpointTable table_;
+  mutable std::map<Concern, std::vector<PeerFault>> misfits_;
+  std::map<std::pair<std::string, WriterId>, MalformedCount> malformed_;
 };
 
 }  // namespace tandem::bus

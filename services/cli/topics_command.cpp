@@ -2,18 +2,31 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "idl/topics.hpp"
 #include "services/cli/command.hpp"
+#include "services/cli/host_bus.hpp"
+#include "services/cli/topics/live_terminal.hpp"
+#include "services/cli/topics/topics_watch.hpp"
 
 namespace tandem::cli {
 namespace {
 
 struct TopicsOptions {
+  HostOptions host;
+  bool contract = false;
+  bool watch = false;
   bool json = false;
+  double seconds = 3.0;
 };
+
+constexpr Duration kDrawPeriod = std::chrono::milliseconds{500};  // on a terminal
+constexpr Duration kTellPeriod = std::chrono::seconds{2};         // elsewhere
+constexpr Duration kStep = std::chrono::milliseconds{50};
 
 const char* name_of(Delivery delivery) {
   switch (delivery) {
@@ -45,11 +58,11 @@ std::string relayed(const Relay& relay) {
   return "";
 }
 
-void run(const TopicsOptions& options) {
+void print_contract(bool as_json) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const TopicInfo& topic : all_topics()) {
     const std::string type = topic.make_type()->getName();
-    if (options.json) {
+    if (as_json) {
       all.push_back({{"topic", topic.name},
                      {"type", type},
                      {"delivery", name_of(topic.delivery)},
@@ -60,16 +73,74 @@ void run(const TopicsOptions& options) {
                   name_of(topic.delivery), relayed(topic.relay).c_str());
     }
   }
-  if (options.json) std::puts(all.dump(2).c_str());
+  if (as_json) std::puts(all.dump(2).c_str());
+}
+
+void print(const TopicsView& view, bool as_json) {
+  if (as_json) {
+    std::puts(json_of(view).c_str());
+  } else {
+    for (const auto& line : lines_of(view)) std::puts(printable(line).c_str());
+  }
+  std::fflush(stdout);
+}
+
+void draw_until_quit(TopicsWatch& watch, const std::function<bool()>& is_over) {
+  LiveTerminal terminal;
+  do {
+    watch.step();
+    std::vector<std::string> lines{"tandem topics: q ends it", ""};
+    for (const auto& line : lines_of(watch.view())) lines.push_back(printable(line));
+    terminal.draw(lines);
+  } while (!is_over() && !terminal.quit_pressed(kDrawPeriod));
+}
+
+void tell_again_and_again(TopicsWatch& watch, bus::Bus& bus, bool as_json, const std::function<bool()>& is_over) {
+  for (Time next = bus.clock().now() + kTellPeriod; !is_over(); bus.wait(kStep)) {
+    watch.step();
+    if (bus.clock().now() < next) continue;
+    print(watch.view(), as_json);
+    if (!as_json) std::puts("");
+    next += kTellPeriod;
+  }
+}
+
+void run(const TopicsOptions& options, bool seconds_given) {
+  if (options.contract) return print_contract(options.json);
+  std::ignore = stop_requested();  // from now on Ctrl-C ends it in order
+  const SiteConfig site = site_of(options.host);
+  bus::Bus bus{bus::host_domain(site, "topics")};
+  TopicsWatch watch{bus};
+  const Time began = bus.clock().now();
+  const bool endless = options.watch && !seconds_given;
+  const auto is_over = [&] {
+    return stop_requested() || (!endless && bus.clock().now() - began >= from_seconds(options.seconds));
+  };
+  if (options.watch && !options.json && LiveTerminal::is_there()) return draw_until_quit(watch, is_over);
+  if (options.watch) return tell_again_and_again(watch, bus, options.json, is_over);
+  while (!is_over()) {
+    bus.wait(kStep);
+    watch.step();
+  }
+  print(watch.view(), options.json);
 }
 
 }  // namespace
 
 void add_topics_command(CLI::App& tandem) {
   const auto options = std::make_shared<TopicsOptions>();
-  CLI::App* command = add_command(tandem, "topics", "List every topic of the contract", "tandem topics --json");
-  command->add_flag("--json", options->json, "As JSON");
-  command->callback([options] { run(*options); });
+  CLI::App* command = add_command(tandem, "topics",
+                                  "Show who writes and reads each topic on this host, how well it arrives, and which "
+                                  "peers do wrong",
+                                  "tandem topics --watch");
+  command->add_flag("--watch", options->watch, "Again and again: as a live table on a terminal, until q or Ctrl-C");
+  const auto* seconds =
+      command->add_option("--seconds", options->seconds, "How long to watch")->check(CLI::PositiveNumber);
+  command->add_flag("--json", options->json, "As JSON; with --watch, a line each time");
+  command->add_flag("--contract", options->contract, "List the topics of the contract instead, whoever is there");
+  command->add_option("--config", options->host.config_folder, "Folder with site.toml")->capture_default_str();
+  command->add_option("--domain", options->host.domain, "DDS domain, instead of the site's");
+  command->callback([options, seconds] { run(*options, seconds->count() > 0); });
 }
 
 }  // namespace tandem::cli

@@ -1,8 +1,5 @@
 #include "services/relay/link_side.hpp"
 
-#include <spdlog/spdlog.h>
-
-#include "services/bus/payload_type.hpp"
 #include "services/relay/relay_messages.hpp"
 
 namespace tandem {
@@ -10,6 +7,23 @@ namespace {
 
 /// How long after joining the link a State that still lives has come again.
 constexpr Duration kResynchronised = std::chrono::seconds{10};
+
+/// Passes on that an instance ended, or lost or found again its writer: a State never looks more alive over there.
+void pass_on(bus::RawSample::Kind kind, const bus::KeyHash& key, bus::RawWriter& writer) {
+  switch (kind) {
+    case bus::RawSample::Kind::Disposed:
+      writer.dispose(key);
+      break;
+    case bus::RawSample::Kind::NoWriter:
+      writer.withdraw(key);
+      break;
+    case bus::RawSample::Kind::WriterBack:
+      writer.renew(key);
+      break;
+    case bus::RawSample::Kind::Data:
+      break;
+  }
+}
 
 }  // namespace
 
@@ -30,7 +44,7 @@ class LinkSide::OutwardRoute {
     for (const auto& sample : box_->take()) {
       if (own.contains(sample.writer)) continue;
       if (sample.kind != bus::RawSample::Kind::Data) {
-        writer_->dispose(sample.key);
+        pass_on(sample.kind, sample.key, *writer_);
       } else if (gate_.passes(sample.key, now, to_seconds(now - sample.source_time))) {
         writer_->write(thins_scans_ ? thinned_payload(sample.payload) : sample.payload, sample.key, sample.source_time);
       }
@@ -56,7 +70,6 @@ class LinkSide::InwardRoute {
  public:
   InwardRoute(InwardTopic& to, bus::Bus& link)
       : to_(to),
-        type_(to.topic),
         gate_(rule_of(to.topic)),
         box_(std::make_shared<bus::InOrderBox>(1000)),
         subscription_(link.subscribe(to.topic, box_)),
@@ -64,22 +77,19 @@ class LinkSide::InwardRoute {
     to_.ledger.begin_round();
   }
 
-  void forward(Time now, std::optional<Duration> clock_offset, const std::set<bus::WriterId>& own) {
+  /// `understood`: the other host's messages mean what ours do; what cannot be understood is left out.
+  void forward(Time now, std::optional<Duration> clock_offset, const std::set<bus::WriterId>& own, bool understood) {
     for (const auto& sample : box_->take()) {
-      if (own.contains(sample.writer)) continue;
+      if (!understood || own.contains(sample.writer)) continue;
       if (sample.kind != bus::RawSample::Kind::Data) {
-        to_.writer->dispose(sample.key);
-        to_.ledger.ended(sample.key);
+        pass_on(sample.kind, sample.key, *to_.writer);
+        if (sample.kind == bus::RawSample::Kind::Disposed) to_.ledger.ended(sample.key);
         continue;
       }
       // The source's clock is the peer's.
       const Time source_time = sample.source_time - clock_offset.value_or(Duration::zero());
       const double age_s = clock_offset ? to_seconds(now - source_time) : 0.0;
       if (!gate_.passes(sample.key, now, age_s)) continue;
-      if (!type_.is_well_formed(sample.payload)) {  // the link is outside: nothing malformed enters the house
-        spdlog::warn("malformed sample dropped: topic={} bytes={}", to_.topic.name, sample.payload.size());
-        continue;
-      }
       to_.writer->write(sample.payload, sample.key, source_time);
       if (to_.topic.delivery == Delivery::State) to_.ledger.came(sample.key);
     }
@@ -89,7 +99,6 @@ class LinkSide::InwardRoute {
 
  private:
   InwardTopic& to_;
-  bus::PayloadType type_;
   ForwardingGate gate_;
   std::shared_ptr<bus::InOrderBox> box_;
   std::unique_ptr<bus::Subscription> subscription_;
@@ -124,6 +133,12 @@ LinkSide::~LinkSide() {
   inward_thread_.join();
 }
 
+std::vector<bus::Received<msg::LinkHeartbeat>> LinkSide::heartbeats() {
+  auto heard = heartbeats_in_.take();
+  std::erase_if(heard, [&](const auto& heartbeat) { return heartbeat.writer == heartbeats_out_.raw().id(); });
+  return heard;
+}
+
 void LinkSide::carry_out() {
   while (!ended_) {
     host_.wait(std::chrono::milliseconds{100});
@@ -135,7 +150,7 @@ void LinkSide::carry_in() {
   while (!ended_) {
     link_.wait(std::chrono::milliseconds{100});
     const auto offset = clock_offset_();
-    for (auto& route : inward_) route->forward(link_.clock().now(), offset, own_);
+    for (auto& route : inward_) route->forward(link_.clock().now(), offset, own_, understood_);
   }
 }
 

@@ -41,7 +41,10 @@ class LinkSide {
   [[nodiscard]] bus::Bus& bus() { return link_; }
   [[nodiscard]] const std::string& address() const { return address_; }
   void send(const msg::LinkHeartbeat& heartbeat) { heartbeats_out_.write(heartbeat); }
-  [[nodiscard]] std::vector<bus::Received<msg::LinkHeartbeat>> heartbeats() { return heartbeats_in_.take(); }
+  /// Those of others: a participant hears itself.
+  [[nodiscard]] std::vector<bus::Received<msg::LinkHeartbeat>> heartbeats();
+  /// Whether the other host's messages mean what ours do. While not, nothing of it comes in.
+  void understand(bool understood) { understood_ = understood; }
 
  private:
   class OutwardRoute;
@@ -58,6 +61,7 @@ class LinkSide {
   std::vector<std::unique_ptr<OutwardRoute>> outward_;
   std::vector<std::unique_ptr<InwardRoute>> inward_;
   std::set<bus::WriterId> own_;  // what we brought in does not go out again
+  std::atomic<bool> understood_ = true;
   std::atomic<bool> ended_ = false;
   std::thread outward_thread_;
   std::thread inward_thread_;

@@ -79,7 +79,7 @@ void MapRelay::say_what_is_here() {
 void MapRelay::send_where_missing() {
   std::vector<std::string> others;
   for (const auto& received : link_->holdings_in.each()) {
-    if (received.message.host() != host_name_) others.push_back(received.message.sha256());
+    if (received.writer_alive && received.message.host() != host_name_) others.push_back(received.message.sha256());
   }
   const bool asked_for = exchange_.is_asked_for(others);
   if (asked_for && !link_->sent) {

@@ -29,9 +29,10 @@ std::vector<TopicInfo> topics_by_urgency() {
   return topics;
 }
 
-msg::LinkHeartbeat to_message(const Heartbeat& heartbeat) {
+msg::LinkHeartbeat to_message(const Heartbeat& heartbeat, const std::string& role) {
   msg::LinkHeartbeat message;
   message.host(heartbeat.host);
+  message.role(role);
   message.sequence_number(heartbeat.sequence_number);
   message.sent_ns(to_stamp_ns(heartbeat.sent));
   message.heard_host(heartbeat.heard_host);

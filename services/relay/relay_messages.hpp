@@ -17,7 +17,8 @@ namespace tandem {
 /// made, and on a lossy link the last may be known some seconds after the first.
 [[nodiscard]] std::vector<TopicInfo> topics_by_urgency();
 
-[[nodiscard]] msg::LinkHeartbeat to_message(const Heartbeat& heartbeat);
+/// `role` is that of this host.
+[[nodiscard]] msg::LinkHeartbeat to_message(const Heartbeat& heartbeat, const std::string& role);
 [[nodiscard]] Heartbeat from_message(const msg::LinkHeartbeat& message);
 [[nodiscard]] msg::LinkStatus to_message(const LinkState& state, const std::string& host, Time now);
 

@@ -13,6 +13,7 @@ namespace {
 constexpr Duration kStatusPeriod = std::chrono::milliseconds{500};
 constexpr Duration kLookPeriod = std::chrono::seconds{1};
 constexpr int kDaysToWarn = 21;
+constexpr Duration kStrangerNamed = std::chrono::seconds{3};
 
 /// Security does not go with a discovery server: Fast DDS would join, and exchange nothing.
 void refuse_secured_server(const SiteConfig& site) {
@@ -136,14 +137,43 @@ LinkState RelayService::exchange_heartbeats(Time now) {
   const std::lock_guard lock{monitor_mutex_};
   if (link_) {
     for (const auto& received : link_->heartbeats()) {
-      if (received.message.contract_hash() != contract_hash()) foreign_contract_ = received.message.host();
-      monitor_.heard(from_message(received.message), received.received);
+      if (is_of_our_peer(received)) monitor_.heard(from_message(received.message), received.received);
     }
-    link_->send(to_message(monitor_.next_heartbeat(now)));
+    link_->send(to_message(monitor_.next_heartbeat(now), site_.role));
   }
   LinkState state = monitor_.state(now);
   if (is_alone()) state.up = true;
   return state;
+}
+
+bool RelayService::is_of_our_peer(const bus::Received<msg::LinkHeartbeat>& heartbeat) {
+  const auto& message = heartbeat.message;
+  const auto is_stranger = [&](bus::PeerFault fault) {
+    strangers_[message.host()] = {std::move(fault), heartbeat.received};
+    return false;
+  };
+  if (message.host() == site_.host) {
+    return is_stranger(
+        {"X6", "another host on the link is called " + site_.host + " too: give each its own host in site.toml"});
+  }
+  if (message.role() == site_.role) {
+    return is_stranger({site_.role == "robot" ? "X6" : "X5",
+                        "host " + message.host() + " on the link is a " + site_.role + " of " + site_.robot +
+                            " too: give each robot its own name, and one laptop, in site.toml"});
+  }
+  const bool our_contract = message.contract_hash() == contract_hash();
+  link_->understand(our_contract);
+  if (our_contract) return true;
+  return is_stranger(bus::other_contract("host " + message.host(), "", message.contract_hash(), contract_hash()));
+}
+
+std::vector<bus::PeerFault> RelayService::link_faults(Time now) const {
+  if (!link_) return {};
+  auto faults = link_->bus().peer_faults();
+  for (const auto& [host, stranger] : strangers_) {
+    if (now - stranger.heard <= kStrangerNamed) faults.push_back(stranger.fault);
+  }
+  return faults;
 }
 
 void RelayService::tell_host(const LinkState& state, Time now) {
@@ -156,14 +186,12 @@ void RelayService::tell_host(const LinkState& state, Time now) {
   }
   was_up_ = state.up;
 
-  if (!foreign_contract_.empty()) {
-    health_.step(msg::HEALTH_DEGRADED, "host " + foreign_contract_ + " runs another version: install the same on both");
-  } else if (!trouble_.empty()) {
+  if (!trouble_.empty()) {
     health_.step(msg::HEALTH_DEGRADED, trouble_);
   } else {
     const std::string silence = state.up ? "" : "no heartbeat from the other host";
     health_.step(state.up ? msg::HEALTH_OK : msg::HEALTH_DEGRADED,
-                 silence + (silence.empty() || refused_.empty() ? "" : "; ") + refused_);
+                 silence + (silence.empty() || refused_.empty() ? "" : "; ") + refused_, link_faults(now));
   }
 }
 

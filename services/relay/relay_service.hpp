@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -32,6 +33,10 @@ class RelayService {
   void set_trouble(const char* what, const std::string& trouble);
   void look_for_refused();
   [[nodiscard]] LinkState exchange_heartbeats(Time now);
+  /// Whether a heartbeat is one of the other host of this team; names it if not.
+  [[nodiscard]] bool is_of_our_peer(const bus::Received<msg::LinkHeartbeat>& heartbeat);
+  /// What others on the link do wrong.
+  [[nodiscard]] std::vector<bus::PeerFault> link_faults(Time now) const;
   void tell_host(const LinkState& state, Time now);
   /// The peer's clock minus ours; nothing while unmeasured.
   [[nodiscard]] std::optional<Duration> clock_offset() const;
@@ -43,7 +48,11 @@ class RelayService {
   bus::HealthReporter health_;
   mutable std::mutex monitor_mutex_;
   LinkMonitor monitor_;
-  std::string foreign_contract_;
+  struct Stranger {
+    bus::PeerFault fault;
+    Time heard{};
+  };
+  std::map<std::string, Stranger> strangers_;  // by host: relays that are not of our kind, or of our name
   bool was_up_ = false;
   Time next_status_{};
   AddressWatcher watcher_;

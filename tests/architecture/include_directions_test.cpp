@@ -28,6 +28,7 @@ const std::vector<Row>& rows() {
   static const std::vector<Row> table{
       {"idl/", {"idl/"}},
       {"services/common/", {"services/common/"}},
+      {"services/bus/core/", {"services/common/", "services/bus/core/"}},
       {"services/security/", {"services/common/", "services/security/"}},
       {"services/bus/", {"services/common/", "services/bus/", "idl/"}},
       {"services/mapping/core/", kCore},

@@ -34,6 +34,11 @@ class RelayedHost {
   [[nodiscard]] const LabHost& host() const { return host_; }
   /// What the relay has used of a core so far [s].
   [[nodiscard]] double relay_cpu_s() const { return relay_->cpu_s(); }
+  /// What the relay has in memory now [MB].
+  [[nodiscard]] double relay_memory_MB() const { return relay_->memory_MB(); }
+  [[nodiscard]] bool relay_runs() const { return relay_->is_running(); }
+  /// The folder with the configuration of this host.
+  [[nodiscard]] const TemporaryFolder& config() const { return config_; }
   /// Ends the relay and starts it again.
   void restart_relay();
 

@@ -11,7 +11,10 @@ namespace tandem::test {
 class TwoHosts {
  public:
   /// `options` of the robot; the laptop's are the same but for the role. Peers are each other's address.
-  explicit TwoHosts(RelayOptions options = {}, const Conditions& conditions = {}) {
+  /// `others` are further hosts on the same air, with nothing on them.
+  explicit TwoHosts(RelayOptions options = {}, const Conditions& conditions = {},
+                    const std::vector<std::string>& others = {})
+      : lab_(with(others)) {
     lab_.set_all(conditions);
     options.host_domain = domains_[0];
     options.link_domain = domains_[1];
@@ -26,10 +29,17 @@ class TwoHosts {
   [[nodiscard]] Laboratory& lab() { return lab_; }
   [[nodiscard]] RelayedHost& robot() { return *robot_; }
   [[nodiscard]] RelayedHost& laptop() { return *laptop_; }
+  [[nodiscard]] int host_domain() const { return domains_[0]; }
 
  private:
+  [[nodiscard]] static std::vector<std::string> with(const std::vector<std::string>& others) {
+    std::vector<std::string> hosts{"robot", "laptop"};
+    hosts.insert(hosts.end(), others.begin(), others.end());
+    return hosts;
+  }
+
   DomainLease domains_{2};  // a host domain is the same on both: each has a loopback interface of its own
-  Laboratory lab_{{"robot", "laptop"}};
+  Laboratory lab_;
   std::unique_ptr<RelayedHost> robot_;
   std::unique_ptr<RelayedHost> laptop_;
 };

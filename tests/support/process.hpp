@@ -28,6 +28,7 @@ class Process {
     }
   }
   ~Process() {
+    if (id_ < 0) return;
     kill(id_, SIGTERM);
     int status = 0;
     waitpid(id_, &status, 0);
@@ -35,6 +36,24 @@ class Process {
   }
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
+
+  /// Ends it as a crash does.
+  void kill_at_once() {
+    kill(id_, SIGKILL);
+    waitpid(id_, nullptr, 0);
+    id_ = -1;
+  }
+
+  [[nodiscard]] bool is_running() const { return id_ > 0 && waitpid(id_, nullptr, WNOHANG) == 0; }
+
+  /// What it has in memory now [MB].
+  [[nodiscard]] double memory_MB() const {
+    std::ifstream file{"/proc/" + std::to_string(id_) + "/statm"};
+    double whole = 0.0;
+    double resident = 0.0;
+    file >> whole >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
+  }
 
   /// What it has used of a core so far [s].
   [[nodiscard]] double cpu_s() const {

@@ -38,6 +38,7 @@ Causes SafetyGate::causes_of(const GateInput& input, Time now) {
     causes.set(index_of(Cause::StalePose), stale);
     causes.set(index_of(Cause::LostPose), !stale && pose.lost);
   }
+  causes.set(index_of(Cause::TwoBases), input.other_base);
   if (config_.require_link) {
     const auto& silent_s = input.link.silent_s;
     const bool up = silent_s && *silent_s <= config_.link_timeout_s;

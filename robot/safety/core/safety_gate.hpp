@@ -30,6 +30,7 @@ struct GateInput {
   PeopleInput people;
   PoseInput pose;
   LinkInput link;
+  bool other_base = false;  ///< another base service says that it is this robot's
 };
 
 struct GateDecision {

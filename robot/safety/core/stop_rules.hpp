@@ -60,11 +60,12 @@ enum class Cause : std::uint8_t {
   LostPose,
   StalePose,
   TwoCommanders,
+  TwoBases,
   BadCommand,
   StaleCommand,
   ObstacleAhead,
 };
-inline constexpr std::size_t kCauses = 24;
+inline constexpr std::size_t kCauses = 25;
 using Causes = std::bitset<kCauses>;
 [[nodiscard]] constexpr std::size_t index_of(Cause cause) {
   return static_cast<std::size_t>(cause);
@@ -101,7 +102,8 @@ inline constexpr std::array<StopRule, kCauses> kStopRules{{
     {Cause::LinkLost, StopReason::LinkLost, Resume::Auto, "N2 N4 P15", "no link to the operator"},
     {Cause::LostPose, StopReason::LostPose, Resume::Auto, "L1", "the robot does not know where it is"},
     {Cause::StalePose, StopReason::StalePose, Resume::Auto, "P5", "no pose from localization"},
-    {Cause::TwoCommanders, StopReason::TwoCommanders, Resume::Auto, "X5 X6", "two programs command the robot at once"},
+    {Cause::TwoCommanders, StopReason::TwoCommanders, Resume::Auto, "X5", "two programs command the robot at once"},
+    {Cause::TwoBases, StopReason::TwoCommanders, Resume::Auto, "X6", "another base says that it is this robot"},
     {Cause::BadCommand, StopReason::BadCommand, Resume::Auto, "B9", "the velocity commands are nonsense"},
     {Cause::StaleCommand, StopReason::StaleCommand, Resume::Auto, "P4", "the velocity commands ceased while driving"},
     {Cause::ObstacleAhead, StopReason::Obstacle, Resume::AtOnce, "S5 SAF-2 SAF-4", "something is in the way"},

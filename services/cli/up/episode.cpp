@@ -131,6 +131,7 @@ std::vector<std::string> Episode::missing_services() const {
   std::vector<std::string> missing = plan_.needed;
   for (const auto& received : health_.each()) {
     const auto& health = received.message;
+    if (!received.writer_alive) continue;  // its last word, of a process that died
     // The localization is ready when it waits to be placed.
     const bool waits_for_us = health.service() == "localization" && health.state() == msg::HEALTH_STARTING;
     if (health.state() != msg::HEALTH_OK && health.state() != msg::HEALTH_DEGRADED && !waits_for_us) continue;

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "services/common/clock.hpp"
+#include "services/common/version.hpp"
 #include "tests/robot/pioneer/core/fake_controller.hpp"
 #include "tests/support/domain_lease.hpp"
 
@@ -66,6 +67,45 @@ bool run_until(BaseService& service, TcpController& tcp, Clock& clock, Condition
   return false;
 }
 
+/// A navigator and a laser in one, with everything far away.
+class Driver {
+ public:
+  Driver(bus::Bus& bus, std::string robot, const Clock& clock)
+      : robot_(std::move(robot)),
+        clock_(clock),
+        commands_(bus.writer(topic::kVelocityCommand)),
+        scans_(bus.writer(topic::kScan)) {}
+
+  void command() {
+    msg::VelocityCommand command;
+    command.robot(robot_);
+    command.commander("navigator");
+    command.sequence_number(++number_);
+    command.forward_mps(0.2);
+    commands_.write(command);
+  }
+  void command_and_scan() {
+    command();
+    msg::LaserScan scan;
+    scan.robot(robot_);
+    scan.sequence_number(number_);
+    scan.stamp_ns(to_stamp_ns(clock_.now()));
+    scan.angle_min_rad(-1.5);
+    scan.angle_increment_rad(0.0166);
+    scan.range_max_m(30.0);
+    scan.ranges_m(std::vector<float>(181, 8.0F));
+    scan.ranges_m()[90] = 7.0F + 0.01F * static_cast<float>(number_ % 10);
+    scans_.write(scan);
+  }
+
+ private:
+  std::string robot_;
+  const Clock& clock_;
+  std::uint64_t number_ = 0;
+  bus::Writer<msg::VelocityCommand, msg::VelocityCommandPubSubType> commands_;
+  bus::Writer<msg::LaserScan, msg::LaserScanPubSubType> scans_;
+};
+
 class BaseServiceTest : public testing::Test {
  protected:
   BaseServiceTest() {
@@ -103,35 +143,15 @@ TEST_F(BaseServiceTest, DrivesOnCommandStopsOnRequestAndSwitchesTheMotorsOffAtTh
   bus::Bus bus{bus::host_domain(site_, "test")};
   auto statuses = bus.latest(topic::kBaseStatus);
   auto odometry = bus.latest(topic::kOdometry);
-  auto commands = bus.writer(topic::kVelocityCommand);
-  auto scans = bus.writer(topic::kScan);
+  Driver driver{bus, site_.robot, clock_};
   bus::EventSender stops{bus, topic::kStopRequest};
   bus::Bus base_bus{bus::host_domain(site_, "base")};
   std::optional<BaseService> service{std::in_place, config_, site_, base_bus, clock_, clock_};
   ASSERT_TRUE(run_until(*service, tcp_, clock_, [&] { return odometry.newest().has_value(); }));
   EXPECT_FALSE(tcp_.controller.motors);
 
-  std::uint64_t number = 0;
-  const auto command_and_scan = [&] {
-    msg::VelocityCommand command;
-    command.robot(site_.robot);
-    command.commander("navigator");
-    command.sequence_number(++number);
-    command.forward_mps(0.2);
-    commands.write(command);
-    msg::LaserScan scan;
-    scan.robot(site_.robot);
-    scan.sequence_number(number);
-    scan.stamp_ns(to_stamp_ns(clock_.now()));
-    scan.angle_min_rad(-1.5);
-    scan.angle_increment_rad(0.0166);
-    scan.range_max_m(30.0);
-    scan.ranges_m(std::vector<float>(181, 8.0F));
-    scan.ranges_m()[90] = 7.0F + 0.01F * static_cast<float>(number % 10);
-    scans.write(scan);
-  };
   ASSERT_TRUE(run_until(*service, tcp_, clock_, [&] {
-    command_and_scan();
+    driver.command_and_scan();
     return tcp_.controller.actual_mmps == 200;
   }));
 
@@ -141,7 +161,7 @@ TEST_F(BaseServiceTest, DrivesOnCommandStopsOnRequestAndSwitchesTheMotorsOffAtTh
   stop.latched(true);
   stops.send(stop);
   ASSERT_TRUE(run_until(*service, tcp_, clock_, [&] {
-    command_and_scan();
+    driver.command_and_scan();
     return tcp_.controller.actual_mmps == 0 && statuses.newest()->message.latched();
   }));
   EXPECT_EQ(statuses.newest()->message.stop_reasons().front(), msg::STOP_REQUESTED);
@@ -159,6 +179,81 @@ TEST_F(BaseServiceTest, DrivesOnCommandStopsOnRequestAndSwitchesTheMotorsOffAtTh
   tcp_.step(clock_.now());
   EXPECT_FALSE(tcp_.controller.motors);
   EXPECT_FALSE(tcp_.controller.open);
+}
+
+/// The reason of the base's own health.
+std::string reason_of_base(bus::InOrder<msg::ServiceHealth, msg::ServiceHealthPubSubType>& signs, std::string last) {
+  for (const auto& sign : signs.take()) {
+    if (sign.message.process_id() == static_cast<std::uint32_t>(getpid())) last = sign.message.reason();
+  }
+  return last;
+}
+
+TEST_F(BaseServiceTest, X5TwoWhoCommandAtOnceStopTheWheelsAndAreNamed) {
+  bus::Bus bus{bus::host_domain(site_, "test")};
+  auto signs = bus.in_order(topic::kServiceHealth);
+  Driver driver{bus, site_.robot, clock_};
+  bus::Bus other_bus{bus::host_domain(site_, "navigator")};
+  Driver other{other_bus, site_.robot, clock_};
+  bus::Bus base_bus{bus::host_domain(site_, "base")};
+  BaseService service{config_, site_, base_bus, clock_, clock_};
+  ASSERT_TRUE(run_until(service, tcp_, clock_, [&] {
+    driver.command_and_scan();
+    return tcp_.controller.actual_mmps == 200;
+  }));
+
+  const Time began = clock_.now();
+  std::string reason;
+  EXPECT_TRUE(run_until(service, tcp_, clock_, [&] {
+    driver.command_and_scan();
+    other.command();
+    reason = reason_of_base(signs, reason);
+    return tcp_.controller.actual_mmps == 0 && reason == "X5: two programs command the robot at once";
+  })) << reason;
+  EXPECT_LE(to_seconds(clock_.now() - began), 2.0);
+
+  // As long as both go on.
+  const Time end = clock_.now() + std::chrono::seconds{1};
+  bool moved = false;
+  EXPECT_TRUE(run_until(service, tcp_, clock_, [&] {
+    driver.command_and_scan();
+    other.command();
+    moved = moved || tcp_.controller.actual_mmps != 0;
+    return clock_.now() > end;
+  }));
+  EXPECT_FALSE(moved);
+}
+
+TEST_F(BaseServiceTest, X6AnotherBaseOfThisRobotStopsTheWheelsUntilItIsGone) {
+  bus::Bus bus{bus::host_domain(site_, "test")};
+  auto signs = bus.in_order(topic::kServiceHealth);
+  auto other = bus.writer(topic::kServiceHealth);
+  Driver driver{bus, site_.robot, clock_};
+  bus::Bus base_bus{bus::host_domain(site_, "base")};
+  BaseService service{config_, site_, base_bus, clock_, clock_};
+  const auto drives = [&] {
+    driver.command_and_scan();
+    return tcp_.controller.actual_mmps == 200;
+  };
+  ASSERT_TRUE(run_until(service, tcp_, clock_, drives));
+
+  msg::ServiceHealth sign;
+  sign.host("robot1b");
+  sign.robot(site_.robot);
+  sign.service("base");
+  sign.process_id(1);
+  sign.contract_hash(contract_hash());
+  const Time began = clock_.now();
+  std::string reason;
+  EXPECT_TRUE(run_until(service, tcp_, clock_, [&] {
+    driver.command_and_scan();
+    other.write(sign);
+    reason = reason_of_base(signs, reason);
+    return tcp_.controller.actual_mmps == 0 && reason.starts_with("X6: two base services for robot1");
+  })) << reason;
+  EXPECT_LE(to_seconds(clock_.now() - began), 2.0);
+
+  EXPECT_TRUE(run_until(service, tcp_, clock_, drives));  // it has been silent for three seconds
 }
 
 }  // namespace

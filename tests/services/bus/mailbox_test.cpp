@@ -46,6 +46,24 @@ TEST(LatestBox, ForgetsAnInstanceThatEnded) {
   ASSERT_EQ(box.gone().size(), 1U);
 }
 
+TEST(LatestBox, MarksAnInstanceWithoutAWriterUntilTheWriterIsBack) {
+  LatestBox box;
+  box.put(sample(1, 10));
+  RawSample news = sample(1, 0);
+  news.kind = RawSample::Kind::NoWriter;
+  box.put(news);
+  ASSERT_EQ(box.each().size(), 1U);
+  EXPECT_FALSE(box.each()[0].writer_alive);
+  EXPECT_FALSE(box.newest()->writer_alive);
+  EXPECT_EQ(box.newest()->payload[0], 10);
+
+  news.kind = RawSample::Kind::WriterBack;
+  box.put(news);
+  EXPECT_TRUE(box.each()[0].writer_alive);
+  EXPECT_TRUE(box.newest()->writer_alive);
+  EXPECT_TRUE(box.gone().empty());
+}
+
 TEST(InOrderBox, KeepsEverySampleUntilItsLimitAndCountsTheRest) {
   InOrderBox box{2};
   for (std::uint8_t i = 1; i <= 3; ++i) box.put(sample(0, i));

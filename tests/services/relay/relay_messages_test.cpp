@@ -10,7 +10,7 @@ namespace {
 
 TEST(RelayMessages, AHeartbeatComesBackAsItWas) {
   const Heartbeat sent{"robot1", 7, from_stamp_ns(1), "laptop1", 6, from_stamp_ns(2), Duration{3}};
-  const Heartbeat received = from_message(to_message(sent));
+  const Heartbeat received = from_message(to_message(sent, "robot"));
 
   EXPECT_EQ(received.host, "robot1");
   EXPECT_EQ(received.sequence_number, 7U);

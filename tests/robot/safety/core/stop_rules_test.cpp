@@ -65,6 +65,8 @@ const std::map<Cause, Fault>& faults() {
        {[](GateWorld& w) { w.input.pose.lost = true; }, [](GateWorld& w) { w.input.pose.lost = false; }}},
       {Cause::StalePose,
        {[](GateWorld& w) { w.input.pose.age_s = 0.6; }, [](GateWorld& w) { w.input.pose.age_s = 0.1; }}},
+      {Cause::TwoBases,
+       {[](GateWorld& w) { w.input.other_base = true; }, [](GateWorld& w) { w.input.other_base = false; }}},
       {Cause::TwoCommanders,
        {[](GateWorld& w) {
           w.send_command({0.1, 0.0}, 2);

@@ -1,4 +1,4 @@
-#include "services/bus/peer_watch.hpp"
+#include "services/bus/handshake_watch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ rtps::GUID_t guid_of(int number) {
 /// What Fast DDS tells of participants.
 class Rumour {
  public:
-  explicit Rumour(PeerWatch& watch) : watch_(watch) {}
+  explicit Rumour(HandshakeWatch& watch) : watch_(watch) {}
   /// `authority`: of its certificate; empty without one.
   void discovered(int number, const std::string& name, const std::string& authority = "") {
     tell(rtps::ParticipantDiscoveryInfo::DISCOVERED_PARTICIPANT, number, name, authority);
@@ -29,7 +29,7 @@ class Rumour {
     info.guid = guid_of(number);
     info.status = well ? rtps::ParticipantAuthenticationInfo::AUTHORIZED_PARTICIPANT
                        : rtps::ParticipantAuthenticationInfo::UNAUTHORIZED_PARTICIPANT;
-    watch_.onParticipantAuthentication(nullptr, std::move(info));
+    watch_.authenticated(info);
   }
 
  private:
@@ -44,14 +44,14 @@ class Rumour {
     }
     rtps::ParticipantDiscoveryInfo info{data};
     info.status = status;
-    watch_.on_participant_discovery(nullptr, std::move(info));
+    watch_.discovered(info);
   }
-  PeerWatch& watch_;
+  HandshakeWatch& watch_;
 };
 
-TEST(PeerWatch, ASecuredSideNamesWhoHasNoCertificateAndWhoseDoesNotHold) {
+TEST(HandshakeWatch, ASecuredSideNamesWhoHasNoCertificateAndWhoseDoesNotHold) {
   const ManualClock clock;
-  PeerWatch watch{true, clock};
+  HandshakeWatch watch{true, clock};
   Rumour rumour{watch};
   rumour.discovered(1, "relay@laptop1", "CN=ours");
   rumour.authenticated(1, true);
@@ -68,9 +68,9 @@ TEST(PeerWatch, ASecuredSideNamesWhoHasNoCertificateAndWhoseDoesNotHold) {
   EXPECT_EQ(refused[1].reason, "its certificate of the authority \"CN=theirs\" or its permissions do not hold here");
 }
 
-TEST(PeerWatch, AnOpenSideNamesWhoIsSecured) {
+TEST(HandshakeWatch, AnOpenSideNamesWhoIsSecured) {
   const ManualClock clock;
-  PeerWatch watch{false, clock};
+  HandshakeWatch watch{false, clock};
   Rumour rumour{watch};
   rumour.discovered(1, "relay@open");
   rumour.discovered(2, "relay@secured", "CN=ours");
@@ -81,9 +81,9 @@ TEST(PeerWatch, AnOpenSideNamesWhoIsSecured) {
   EXPECT_EQ(refused[0].reason, "its link is secured, and this host's is not");
 }
 
-TEST(PeerWatch, NamesWhoHasNotFinishedTheHandshakeInFiveSeconds) {
+TEST(HandshakeWatch, NamesWhoHasNotFinishedTheHandshakeInFiveSeconds) {
   ManualClock clock;
-  PeerWatch watch{true, clock};
+  HandshakeWatch watch{true, clock};
   Rumour rumour{watch};
   rumour.discovered(1, "relay@slow", "CN=ours");
   clock.advance(std::chrono::seconds{4});
@@ -95,9 +95,9 @@ TEST(PeerWatch, NamesWhoHasNotFinishedTheHandshakeInFiveSeconds) {
   EXPECT_TRUE(watch.refused().empty());
 }
 
-TEST(PeerWatch, ForgetsWhoIsGoneOrIsLetInLater) {
+TEST(HandshakeWatch, ForgetsWhoIsGoneOrIsLetInLater) {
   const ManualClock clock;
-  PeerWatch watch{true, clock};
+  HandshakeWatch watch{true, clock};
   Rumour rumour{watch};
   rumour.discovered(1, "relay@a", "CN=ours");
   rumour.authenticated(1, false);
@@ -110,9 +110,9 @@ TEST(PeerWatch, ForgetsWhoIsGoneOrIsLetInLater) {
   EXPECT_TRUE(watch.refused().empty());
 }
 
-TEST(PeerWatch, AThousandStrangersFillNeitherMemoryNorLog) {
+TEST(HandshakeWatch, AThousandStrangersFillNeitherMemoryNorLog) {
   const ManualClock clock;
-  PeerWatch watch{true, clock};
+  HandshakeWatch watch{true, clock};
   Rumour rumour{watch};
   for (int i = 0; i < 1000; ++i) {
     rumour.discovered(i, std::string(200, '\n'));
