@@ -72,12 +72,12 @@ class DefaultSide final : public Side {
   std::unique_ptr<bus::RawWriter> writer(const TopicInfo& info) override {
     dds::DataWriterQos qos;
     set_kind(qos, info.delivery);
-    return bus::make_writer(publisher_, topic(info), qos, info.make_type()->m_isGetKeyDefined);
+    return bus::make_writer(publisher_, topic(info), qos, info, watch_);
   }
   std::unique_ptr<bus::Subscription> subscribe(const TopicInfo& info, std::shared_ptr<bus::Mailbox> mailbox) override {
     dds::DataReaderQos qos;
     set_kind(qos, info.delivery);
-    return bus::make_subscription(subscriber_, topic(info), qos, std::move(mailbox), clock_, [] {});
+    return bus::make_subscription(subscriber_, topic(info), qos, info, std::move(mailbox), {clock_, watch_, [] {}});
   }
 
  private:
@@ -102,6 +102,7 @@ class DefaultSide final : public Side {
   }
 
   SteadyClock clock_;
+  bus::PeerWatch watch_{"defaults", false, clock_};  // the readers and writers tell it; it listens to nobody
   dds::DomainParticipant* participant_ = nullptr;
   dds::Publisher* publisher_ = nullptr;
   dds::Subscriber* subscriber_ = nullptr;

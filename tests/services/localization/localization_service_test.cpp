@@ -232,10 +232,14 @@ TEST(LocalizationService, NamesBadInputInItsHealth) {
   const Time now = host.clock_.now();
   host.send_odometry(now);
   msg::LaserScan wrong = message_of(test::scan_from(host.room_, truth, now));
-  wrong.angle_min_rad(std::nan(""));
+  wrong.angle_min_rad(std::numeric_limits<double>::infinity());
   host.scans_.write(wrong);
-
   EXPECT_TRUE(host.step_until([&] { return host.reason_.find("scan_not_finite 1") != std::string::npos; }))
+      << host.reason_;
+
+  wrong.angle_min_rad(std::nan(""));  // dropped by the reader, before it is a scan
+  host.scans_.write(wrong);
+  EXPECT_TRUE(host.step_until([&] { return host.reason_.find("malformed samples on scan") != std::string::npos; }))
       << host.reason_;
 }
 
