@@ -1,5 +1,7 @@
 #include "services/relay/link_side.hpp"
 
+#include <map>
+
 #include "services/relay/relay_messages.hpp"
 
 namespace tandem {
@@ -31,7 +33,8 @@ void pass_on(bus::RawSample::Kind kind, const bus::KeyHash& key, bus::RawWriter&
 class LinkSide::OutwardRoute {
  public:
   OutwardRoute(const TopicInfo& topic, bus::Bus& host, bus::Bus& link, std::size_t scan_beams)
-      : thins_scans_(topic.name == topic::kScan.name),
+      : topic_(topic.name),
+        thins_scans_(topic.name == topic::kScan.name),
         scan_beams_(scan_beams),
         gate_(rule_of(topic)),
         box_(std::make_shared<bus::InOrderBox>(1000)),
@@ -39,6 +42,8 @@ class LinkSide::OutwardRoute {
         subscription_(host.subscribe(topic, box_)) {}
 
   [[nodiscard]] bus::WriterId writer_id() const { return writer_->id(); }
+  [[nodiscard]] int matched() const { return writer_->matched_readers(); }
+  [[nodiscard]] const std::string& topic() const { return topic_; }
 
   void forward(Time now, const std::set<bus::WriterId>& own) {
     for (const auto& sample : box_->take()) {
@@ -57,6 +62,7 @@ class LinkSide::OutwardRoute {
     return scan ? bus::encode<msg::LaserScanPubSubType>(thinned(*scan, scan_beams_)) : payload;
   }
 
+  std::string topic_;
   bool thins_scans_;
   std::size_t scan_beams_;
   ForwardingGate gate_;
@@ -76,6 +82,9 @@ class LinkSide::InwardRoute {
         joined_(link.clock().now()) {
     to_.ledger.begin_round();
   }
+
+  [[nodiscard]] int matched() const { return subscription_->matched_writers(); }
+  [[nodiscard]] std::string topic() const { return std::string{to_.topic.name}; }
 
   /// `understood`: the other host's messages mean what ours do; what cannot be understood is left out.
   void forward(Time now, std::optional<Duration> clock_offset, const std::set<bus::WriterId>& own, bool understood) {
@@ -137,6 +146,20 @@ std::vector<bus::Received<msg::LinkHeartbeat>> LinkSide::heartbeats() {
   auto heard = heartbeats_in_.take();
   std::erase_if(heard, [&](const auto& heartbeat) { return heartbeat.writer == heartbeats_out_.raw().id(); });
   return heard;
+}
+
+std::vector<std::string> LinkSide::unmatched() const {
+  std::map<std::string, int> own;  // a topic of both directions is matched by ourselves, too
+  for (const auto& route : outward_) ++own[route->topic()];
+  for (const auto& route : inward_) ++own[route->topic()];
+  std::vector<std::string> topics;
+  for (const auto& route : outward_) {
+    if (route->matched() < own.at(route->topic())) topics.push_back(route->topic());
+  }
+  for (const auto& route : inward_) {
+    if (route->matched() < own.at(route->topic())) topics.push_back(route->topic());
+  }
+  return topics;
 }
 
 void LinkSide::carry_out() {

@@ -43,6 +43,8 @@ class LinkSide {
   void send(const msg::LinkHeartbeat& heartbeat) { heartbeats_out_.write(heartbeat); }
   /// Those of others: a participant hears itself.
   [[nodiscard]] std::vector<bus::Received<msg::LinkHeartbeat>> heartbeats();
+  /// Topics for which the other host's relay has not been found, as a reader or as a writer.
+  [[nodiscard]] std::vector<std::string> unmatched() const;
   /// Whether the other host's messages mean what ours do. While not, nothing of it comes in.
   void understand(bool understood) { understood_ = understood; }
 

@@ -79,7 +79,9 @@ void RelayService::follow_address() {
 }
 
 void RelayService::join_link(const std::string& address) {
-  if (link_) spdlog::info("address of the link changes: old={} new={}", link_->address(), address);
+  if (link_ && link_->address() != address) {
+    spdlog::info("address of the link changes: old={} new={}", link_->address(), address);
+  }
   maps_.leave();
   link_.reset();  // first: two participants of one host would each send everything
   try {
@@ -114,6 +116,16 @@ void RelayService::look_for_refused() {
   refused_ = refused;
 }
 
+void RelayService::mend_torn_link(bool is_up, Time now) {
+  if (!link_ || is_alone()) return;
+  const std::vector<std::string> unmatched = is_up ? link_->unmatched() : std::vector<std::string>{};
+  if (!torn_.add(now, is_up, unmatched.size())) return;
+  std::string topics;
+  for (const std::string& topic : unmatched) topics += (topics.empty() ? "" : ",") + topic;
+  spdlog::warn("link joined anew: the other host is heard, but not found on all topics: unmatched={}", topics);
+  join_link(std::string{link_->address()});
+}
+
 std::optional<Duration> RelayService::clock_offset() const {
   const std::lock_guard lock{monitor_mutex_};
   return monitor_.clock_offset();
@@ -129,7 +141,9 @@ void RelayService::step() {
     look_for_refused();
     next_refused_ = now + kLookPeriod;
   }
-  tell_host(exchange_heartbeats(now), now);
+  const LinkState state = exchange_heartbeats(now);
+  mend_torn_link(state.up, now);
+  tell_host(state, now);
   maps_.step();
 }
 

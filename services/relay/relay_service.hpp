@@ -12,6 +12,7 @@
 #include "services/relay/address_watcher.hpp"
 #include "services/relay/core/link_monitor.hpp"
 #include "services/relay/core/relay_config.hpp"
+#include "services/relay/core/torn_link.hpp"
 #include "services/relay/link_side.hpp"
 #include "services/relay/map_relay.hpp"
 
@@ -32,6 +33,8 @@ class RelayService {
   void join_link(const std::string& address);
   void set_trouble(const char* what, const std::string& trouble);
   void look_for_refused();
+  /// Joins the link anew where the other host is heard, but not all of it is found.
+  void mend_torn_link(bool is_up, Time now);
   [[nodiscard]] LinkState exchange_heartbeats(Time now);
   /// Whether a heartbeat is one of the other host of this team; names it if not.
   [[nodiscard]] bool is_of_our_peer(const bus::Received<msg::LinkHeartbeat>& heartbeat);
@@ -60,6 +63,7 @@ class RelayService {
   std::string trouble_;  // why the link is not joined, empty if it is
   std::string refused_;  // who is on the link without being a peer, and why; empty if nobody
   Time next_refused_{};
+  TornLink torn_;
   std::vector<InwardTopic> inward_;
   std::unique_ptr<LinkSide> link_;
   MapRelay maps_;  // after the link: its readers there must go first

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -52,8 +53,10 @@ class Witness {
         robot_map_(team.robot_bus().latest(topic::kMap)) {}
 
   void listen() {
+    if (!runs_since_ && team_.episode().phase() == Episode::Phase::Running)
+      runs_since_ = team_.robot_bus().clock().now();
     for (const auto& status : base_.take()) {
-      if (team_.episode().phase() != Episode::Phase::Running) continue;
+      if (!runs_since_ || status.received < *runs_since_ || team_.episode().is_over()) continue;
       const auto& reasons = status.message.stop_reasons();
       false_stops_ += std::any_of(reasons.begin(), reasons.end(), &Witness::is_false) ? 1 : 0;
     }
@@ -117,6 +120,7 @@ class Witness {
   bus::Latest<msg::TeamPlan, msg::TeamPlanPubSubType> robot_plan_;
   bus::Latest<msg::OccupancyGrid, msg::OccupancyGridPubSubType> laptop_map_;
   bus::Latest<msg::OccupancyGrid, msg::OccupancyGridPubSubType> robot_map_;
+  std::optional<Time> runs_since_;
   int false_stops_ = 0;
   std::set<std::string> sent_ids_;
   std::set<std::string> arrived_ids_;

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "services/relay/relay_messages.hpp"
 #include "tests/support/domain_lease.hpp"
 
 namespace tandem {
@@ -80,6 +81,25 @@ TEST(Relay, ItsOwnHealthReachesTheOtherHostAndNothingGoesInCircles) {
   }));
   // One sample a second of each host: an echo between the relays would make many more.
   EXPECT_LE(count.take().size(), 8U);
+}
+
+TEST(Relay, JoinsTheLinkAnewWhereTheOtherHostIsHeardButNotFound) {
+  const test::DomainLease domains{2};
+  Host robot{"robot1", "robot", "robot1", domains[0], domains[1]};
+  // Of this laptop nothing was discovered but its heartbeats.
+  bus::Bus laptop{link_of("laptop1", domains[1])};
+  auto beats = laptop.writer(topic::kLinkHeartbeat);
+  auto heard = laptop.in_order(topic::kLinkHeartbeat);
+  LinkMonitor monitor{"laptop1", seconds{2}};
+  std::set<bus::WriterId> participants;
+  EXPECT_TRUE(bus::wait_until(laptop, seconds{30}, [&] {
+    beats.write(to_message(monitor.next_heartbeat(laptop.clock().now()), "laptop"));
+    robot.relay.step();
+    for (const auto& beat : heard.take()) {
+      if (beat.message.host() == "robot1") participants.insert(beat.writer);
+    }
+    return participants.size() == 2;
+  }));
 }
 
 TEST(Relay, AVelocityOnTheLinkNeverArrives) {
