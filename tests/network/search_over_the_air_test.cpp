@@ -128,7 +128,8 @@ class Witness {
   std::map<std::string, std::set<std::string>> refusers_;
 };
 
-/// The search is over, and what the person said has been heard everywhere.
+/// The search is over, what the person said has been heard everywhere, and both hosts have the same plan: at this
+/// moment, for the next plan is on its way.
 bool is_settled(SimulatedTeam& team, Witness& witness) {
   witness.listen();
   return team.episode().is_over() && witness.all_answered() && witness.same_plan();
@@ -139,7 +140,6 @@ void expect_good_end(SimulatedTeam& team, const Witness& witness) {
   EXPECT_EQ(witness.false_stops(), 0) << team.last_words();
   EXPECT_GT(witness.messages(), 0U);
   EXPECT_TRUE(witness.all_answered()) << witness.told();
-  EXPECT_TRUE(witness.same_plan());
   EXPECT_TRUE(witness.same_map());
 }
 
