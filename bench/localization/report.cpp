@@ -202,7 +202,9 @@ void run_campaign(const CampaignOptions& options) {
 
   const std::string report =
       "# How well the robot finds itself\n\nCommit " + commit().substr(0, 12) + ", parameters " + hash_of(config) +
-      ".\n\n    ./run bench localization\n\n## Tracking\n\nWhole logs, faults included; fr079: odd scans on the map of "
+      ".\n\n    ./run bench localization --starts " + std::to_string(options.starts) + " --drives " +
+      std::to_string(options.drives) +
+      "\n\n## Tracking\n\nWhole logs, faults included; fr079: odd scans on the map of "
       "the even ones. The reference is good to 5 to 6 cm and 1 degree, and the normalised error (NEES, 1 is honest) "
       "takes it as that wrong. Times: thread CPU time per update; mean, median, 95 %. The rows below *default* are the "
       "ablation of the Ceres stage.\n\n"
