@@ -21,7 +21,7 @@ using namespace tandem::bench;
 struct AllOptions {
   std::filesystem::path output;
   int runs = 5;
-  int threads = 3;
+  int threads = 4;
   bool quick = false;
 };
 
@@ -73,7 +73,7 @@ int main(int argc, char** argv) try {
   all->add_option("--threads", options.threads, "Measurements at a time: most of each is waiting")
       ->check(CLI::Range(1, 16))
       ->capture_default_str();
-  all->add_flag("--quick", options.quick, "One run, fewer airs: about 5 minutes");
+  all->add_flag("--quick", options.quick, "One run, fewer airs: about 12 minutes");
   NetworkKey key;
   auto* cell = app.add_subcommand("cell", "One measurement, printed as JSON");
   cell->add_option("what", key.what)->required();

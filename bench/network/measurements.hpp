@@ -36,7 +36,8 @@ namespace tandem::bench {
 // Whole teams on simulated hardware: all services of robot and laptop, without a person. No figures if a process ended.
 
 /// What one team costs: "driving_robot_kBps" and "driving_laptop_kBps" sent on the air, "driving_cpu" of all services
-/// of the robot (share of a core; hardware and world not counted), and the same for a robot that stands: "idle_...".
+/// of the robot (share of a core; hardware and world not counted) and "driving_cpu_base", ... of each, and the same for
+/// a robot that stands: "idle_...".
 [[nodiscard]] Figures team_cost(const std::string& air);
 
 /// Four robots of four teams search for two minutes, from when all do: "false_stops" of their bases,

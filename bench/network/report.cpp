@@ -90,12 +90,20 @@ const std::vector<Table>& tables() {
         {"idle_cpu", "idle: robot's services, CPU"},
         {"driving_robot_kBps", "driving: robot sends, kB/s"},
         {"driving_laptop_kBps", "driving: laptop sends, kB/s"},
-        {"driving_cpu", "driving: robot's services, CPU"}}},
+        {"driving_cpu", "driving: robot's services, CPU"},
+        {"driving_cpu_localization", "of it localization"},
+        {"driving_cpu_navigator", "of it navigator"},
+        {"driving_cpu_tracker", "of it tracker"},
+        {"driving_cpu_base", "of it base"},
+        {"driving_cpu_laser", "of it laser"},
+        {"driving_cpu_relay", "of it relay"},
+        {"driving_cpu_recorder", "of it recorder"}}},
       {"false_stops",
        "N5. False stops",
        "Four robots of four teams search at once. A false stop begins when the base holds its robot back for a "
        "reason "
-       "that is not there, or when the navigator has not heard of its plan for too long.",
+       "that is not there, or when the navigator has not heard of its plan for too long. Where nearly all of the cores "
+       "are in use, a stop may be this machine's.",
        {{"false_stops", "false stops of the base"},
         {"without_plan", "stops for want of a plan"},
         {"driven_h", "robot hours with turning wheels"},

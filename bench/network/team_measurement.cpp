@@ -1,3 +1,5 @@
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <fstream>
 #include <map>
@@ -74,18 +76,18 @@ Uses memory_MB(const test::SimulatedTeam& team, int number) {
   return uses;
 }
 
-double cpu_s(const test::SimulatedTeam& team, int number) {
-  double sum = 0.0;
+Uses cpu_s(const test::SimulatedTeam& team, int number) {
+  Uses uses;
   for (const auto& service : team.services(robot_of(number))) {
-    sum += test::cpu_s_of(*team.process(robot_of(number), service));
+    uses[service] = test::cpu_s_of(*team.process(robot_of(number), service));
   }
-  return sum;
+  return uses;
 }
 
 /// What a team costs while `stay` lasts, its figures called `name`_...
 void add_cost(Figures& figures, const std::string& name, test::Laboratory& lab, const test::SimulatedTeam& team,
               Duration duration, const std::function<void()>& stay) {
-  const double before_s = cpu_s(team, 1);
+  const Uses before_s = cpu_s(team, 1);
   const auto robot_before = lab.count(robot_of(1)).bytes_sent;
   const auto laptop_before = lab.count(laptop_of(1)).bytes_sent;
   stay();
@@ -94,7 +96,11 @@ void add_cost(Figures& figures, const std::string& name, test::Laboratory& lab, 
   };
   figures[name + "_robot_kBps"] = kBps(robot_of(1), robot_before);
   figures[name + "_laptop_kBps"] = kBps(laptop_of(1), laptop_before);
-  figures[name + "_cpu"] = (cpu_s(team, 1) - before_s) / to_seconds(duration);
+  for (const auto& [service, used_s] : cpu_s(team, 1)) {
+    const double share = (used_s - before_s.at(service)) / to_seconds(duration);
+    figures[name + "_cpu"] += share;
+    figures[name + "_cpu_" + service] = share;
+  }
 }
 
 msg::ResumeRequest resume_request(const Clock& clock) {
@@ -190,6 +196,9 @@ Figures false_stops(const std::string& air, int run) {
   Figures figures{{"robots", kTeams}, {"busy", (cores.busy - cores_before.busy) / (cores.all - cores_before.all)}};
   for (const auto& one : all) {
     if (!one.team->unexpected_ends().empty()) return {};
+    for (const auto reason : one.stops->of_base()) {
+      spdlog::warn("false stop: run={} reason={}", run, static_cast<int>(reason));
+    }
     figures["driven_h"] += one.driving_s / 3600.0;
     figures["watched_h"] += to_seconds(kWatched) / 3600.0;
     figures["false_stops"] += static_cast<double>(one.stops->of_base().size());
