@@ -147,8 +147,8 @@ inline constexpr Topic<LinkHeartbeatPubSubType> kLinkHeartbeat{"link_heartbeat",
 inline constexpr Topic<ServiceHealthPubSubType> kServiceHealth{"service_health", Delivery::State, relay::both(1.0)};
 /// simulator, replayer -> all.
 inline constexpr Topic<ClockPubSubType> kClock{"clock", Delivery::SensorStream, relay::both()};
-/// simulator -> recorder, tests, bench only; 20 Hz. No service reads it.
-inline constexpr Topic<GroundTruthPubSubType> kGroundTruth{"ground_truth", Delivery::SensorStream, relay::both(20.0)};
+/// simulator -> its host's recorder, tests, bench only; 20 Hz. No service reads it, and no real robot sends it.
+inline constexpr Topic<GroundTruthPubSubType> kGroundTruth{"ground_truth", Delivery::SensorStream, relay::never()};
 
 }  // namespace topic
 

@@ -7,8 +7,8 @@
 namespace tandem::bench {
 
 /// What the air of this name does to what each host receives: "clean", "loss5", ... "loss30" [%], "bursts" (300 ms of
-/// every second), "2M" (2 Mbit/s, bursts of 16 KiB at once), "2M+loss10", "no_multicast". Throws std::invalid_argument
-/// for another name.
+/// every second), "loss30+bursts", "2M" (2 Mbit/s, bursts of 16 KiB at once), "2M+loss10", "no_multicast". Throws
+/// std::invalid_argument for another name.
 [[nodiscard]] test::Conditions conditions_of(const std::string& air);
 
 /// As a reader of a report reads it: "20 %".

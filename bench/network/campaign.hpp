@@ -11,9 +11,10 @@ namespace tandem::bench {
 /// A measurement that is to be made.
 struct NetworkRequest {
   NetworkKey key;
+  bool alone = false;  ///< with the machine for itself: a whole team's processes need its cores
 };
 
-/// All measurements of the campaign, `runs` of each; `quick`: fewer airs.
+/// All measurements of the campaign, `runs` of each but of the longest; `quick`: fewer airs.
 [[nodiscard]] std::vector<NetworkRequest> network_campaign(int runs, bool quick);
 
 /// Measures in this process, which must have no threads yet and must end afterwards. Throws std::runtime_error where no

@@ -1,51 +1,16 @@
 #include "bench/network/report.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <optional>
+#include <map>
+#include <utility>
 
 #include "bench/network/airs.hpp"
-#include "bench/network/quantiles.hpp"
+#include "bench/network/figures.hpp"
 #include "bench/planning/report/plot.hpp"
+#include "bench/planning/statistics/statistics.hpp"
 
 namespace tandem::bench {
 namespace {
-
-using Records = std::vector<NetworkRecord>;
-
-/// One figure over all runs of a measurement.
-std::vector<double> values_of(const Records& records, const std::string& what, const std::string& whose,
-                              const std::string& air, const std::string& figure) {
-  std::vector<double> values;
-  for (const auto& record : records) {
-    const auto& key = record.key;
-    if (key.what != what || key.whose != whose || key.air != air) continue;
-    const auto found = record.figures.find(figure);
-    if (found != record.figures.end()) values.push_back(found->second);
-  }
-  return values;
-}
-
-std::string text_of_number(double value) {
-  if (value >= kNever) return "never";
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(),
-                value >= 100.0 || value == 0.0 ? "%.0f"
-                : value >= 1.0                 ? "%.1f"
-                                               : "%.3f",
-                value);
-  return text.data();
-}
-
-/// "median (lowest to highest)".
-std::string text_of_values(const std::vector<double>& values) {
-  if (values.empty()) return "–";
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const std::string median = text_of_number(quantile(values, 0.5));
-  if (values.size() == 1 || *low == *high) return median;
-  return median + " (" + text_of_number(*low) + " to " + text_of_number(*high) + ")";
-}
 
 struct Row {
   std::string figure;
@@ -92,7 +57,10 @@ const std::vector<Table>& tables() {
        "there.",
        {{"ms", "ms"}}},
       {"outage", "C4. First data after 30 s without a frame", "", {{"ms", "ms"}}},
-      {"address", "C4. First data after the robot's address changed", "Given up after 20 s.", {{"ms", "ms"}}},
+      {"address",
+       "C4. First data after the robot's address changed",
+       "Poses of the robot on the laptop, plans of the laptop on the robot. Given up after 20 s.",
+       {{"to_laptop_ms", "to the laptop, ms"}, {"to_robot_ms", "to the robot, ms"}}},
       {"cost_idle",
        "C5. Cost of standing by",
        "States and health of 7 and 4 services. CPU: share of a core, of each relay.",
@@ -113,6 +81,44 @@ const std::vector<Table>& tables() {
        {{"robot_kBps", "robot sends, kB/s"},
         {"laptop_kBps", "laptop sends, kB/s"},
         {"robot_cpu", "robot's relay, CPU"}}},
+      {"team_cost",
+       "C5. Cost of a whole team on simulated hardware",
+       "All services of robot and laptop. Driving: a search, without a person; idle: when it is over. CPU: share of a "
+       "core, of all services of the robot and its relay, without the simulator.",
+       {{"idle_robot_kBps", "idle: robot sends, kB/s"},
+        {"idle_laptop_kBps", "idle: laptop sends, kB/s"},
+        {"idle_cpu", "idle: robot's services, CPU"},
+        {"driving_robot_kBps", "driving: robot sends, kB/s"},
+        {"driving_laptop_kBps", "driving: laptop sends, kB/s"},
+        {"driving_cpu", "driving: robot's services, CPU"},
+        {"driving_cpu_localization", "of it localization"},
+        {"driving_cpu_navigator", "of it navigator"},
+        {"driving_cpu_tracker", "of it tracker"},
+        {"driving_cpu_base", "of it base"},
+        {"driving_cpu_laser", "of it laser"},
+        {"driving_cpu_relay", "of it relay"},
+        {"driving_cpu_recorder", "of it recorder"}}},
+      {"false_stops",
+       "N5. False stops",
+       "Four robots of four teams search at once. A false stop begins when the base holds its robot back for a "
+       "reason "
+       "that is not there, or when the navigator has not heard of its plan for too long. Where nearly all of the cores "
+       "are in use, a stop may be this machine's.",
+       {{"false_stops", "false stops of the base"},
+        {"without_plan", "stops for want of a plan"},
+        {"driven_h", "robot hours with turning wheels"},
+        {"watched_h", "robot hours watched"},
+        {"busy", "share of the cores in use"}}},
+      {"long_outage",
+       "N3. Five minutes without a frame",
+       "Of a whole team whose robot drives. Memory: of all services of the robot, from 20 s after the beginning of the "
+       "outage to its end.",
+       {{"processes_ended", "processes that ended"},
+        {"ms", "first pose on the laptop, ms"},
+        {"drives_again_s", "drives again, when resumed, s"},
+        {"memory_MB", "memory, MB"},
+        {"growth_MB", "more memory, MB"},
+        {"most_growth_MB", "more memory of one service, MB"}}},
   };
   return all;
 }
@@ -126,15 +132,53 @@ std::vector<std::string> airs_of(const Records& records, const std::string& what
   return airs;
 }
 
+/// Whole teams are ours alone.
+std::vector<std::string> whose_in(const Records& records, const std::string& what) {
+  std::vector<std::string> all;
+  for (const char* whose : {"ours", "default"}) {
+    const auto is_of = [&](const NetworkRecord& record) {
+      return record.key.what == what && record.key.whose == whose;
+    };
+    if (std::any_of(records.begin(), records.end(), is_of)) all.emplace_back(whose);
+  }
+  return all;
+}
+
+/// In how many runs the measurements of a table were made: "5 runs.", or "3 to 4 runs."
+std::string text_of_runs(const Records& records, const std::string& what) {
+  std::map<std::pair<std::string, std::string>, int> runs;
+  for (const auto& record : records) {
+    if (record.key.what == what) runs[{record.key.whose, record.key.air}] += record.figures.empty() ? 0 : 1;
+  }
+  const auto [low, high] = std::minmax_element(
+      runs.begin(), runs.end(), [](const auto& one, const auto& other) { return one.second < other.second; });
+  const std::string most = std::to_string(high->second) + (high->second == 1 ? " run." : " runs.");
+  return low->second == high->second ? most : std::to_string(low->second) + " to " + most;
+}
+
+/// "0 false stops in 0.41 h of driving: ..."; empty if none were counted.
+std::string text_of_false_stops(const Records& records) {
+  const FalseStopSum sum = false_stop_sum(records);
+  if (sum.driven_h <= 0.0) return "";
+  const std::string said =
+      text_of_number(sum.stops) + " false stops in " + text_of_number(sum.driven_h) + " h of driving";
+  if (sum.stops > 0.0) return said + ", " + text_of_number(sum.stops / sum.driven_h) + " an hour.";
+  // No event in a time t: a rate above 3 / t would have shown itself with a probability of 95 %.
+  return said + ": less than " + text_of_number(3.0 / sum.driven_h) + " an hour, with 95 % confidence.";
+}
+
 std::string text_of_table(const Records& records, const Table& table) {
   const auto airs = airs_of(records, table.what);
   if (airs.empty()) return "";
-  std::string text = "\n## " + table.title + "\n\n" + (table.text.empty() ? "" : table.text + "\n\n") + "| | |";
+  std::string text = "\n## " + table.title + "\n\n" + (table.text.empty() ? "" : table.text + " ") +
+                     text_of_runs(records, table.what) + "\n\n";
+  if (table.what == "false_stops") text += text_of_false_stops(records) + "\n\n";
+  text += "| | |";
   for (const auto& air : airs) text += " " + title_of(air) + " |";
   text += "\n|---|---|";
   for (std::size_t i = 0; i < airs.size(); ++i) text += "---|";
   for (const auto& row : table.rows) {
-    for (const char* whose : {"ours", "default"}) {
+    for (const std::string& whose : whose_in(records, table.what)) {
       text += "\n| " + row.label + " | " + whose + " |";
       for (const auto& air : airs) {
         text += " " + text_of_values(values_of(records, table.what, whose, air, row.figure)) + " |";
@@ -142,66 +186,6 @@ std::string text_of_table(const Records& records, const Table& table) {
     }
   }
   return text + "\n";
-}
-
-/// A limit for one of our figures.
-struct Target {
-  std::string text;
-  std::string what;
-  std::vector<std::string> airs;
-  std::string figure;
-  double limit;
-  enum class Of { Median, Worst, LeastMedian } of = Of::Worst;
-};
-
-const std::vector<Target>& targets() {
-  using Of = Target::Of;
-  static const std::vector<Target> all{
-      {"C1: 300 kB up to 20 % loss, at 2 Mbit/s, ms",
-       "map300",
-       {"clean", "loss5", "loss10", "loss20", "2M"},
-       "ms",
-       3000,
-       Of::Median},
-      {"C1: 300 kB at 30 % loss, ms", "map300", {"loss30"}, "ms", 12000, Of::Median},
-      {"C1: 60 kB everywhere, ms",
-       "map60",
-       {"clean", "loss5", "loss10", "loss20", "loss30", "bursts", "2M", "2M+loss10"},
-       "ms",
-       3000},
-      {"C1: odometry p99 meanwhile at 2 Mbit/s, ms", "map300_odometry", {"2M"}, "odometry_p99_ms", 10, Of::Median},
-      {"C2: messages not applied", "message", {"clean", "loss10", "loss20", "loss30", "bursts"}, "lost", 0},
-      {"C2: messages applied twice", "message", {"clean", "loss10", "loss20", "loss30", "bursts"}, "applied_twice", 0},
-      {"C2: message p99 at 20 % loss, ms", "message", {"loss20"}, "p99_ms", 300, Of::Median},
-      {"C2: message p99 at 30 % loss, ms", "message", {"loss30"}, "p99_ms", 900, Of::Median},
-      {"C3: longest of 20 plans at 30 % loss, ms", "plan", {"loss30"}, "plan_max_ms", 1000, Of::Median},
-      {"C3: poses delivered at 20 % loss, at least", "plan", {"loss20"}, "pose_delivered", 0.78, Of::LeastMedian},
-      {"C3: poses delivered at 30 % loss, at least", "plan", {"loss30"}, "pose_delivered", 0.68, Of::LeastMedian},
-      {"C3: stale poses", "plan", {"clean", "loss10", "loss20", "loss30", "bursts", "2M"}, "pose_stale", 0},
-      {"C4: first data, also without multicast, ms", "first_data", {"clean", "no_multicast"}, "ms", 1000},
-      {"C4: first data at 30 % loss, median, ms", "first_data", {"loss30"}, "ms", 4000, Of::Median},
-      {"C4: first data at 30 % loss, longest, ms", "first_data", {"loss30"}, "ms", 10000},
-      {"C4: after an outage of 30 s, ms", "outage", {"clean"}, "ms", 2000},
-      {"C4: after a change of address, ms", "address", {"clean"}, "ms", 5000},
-      {"C5: robot sends while driving, kB/s", "cost_driving1", {"clean"}, "robot_kBps", 25, Of::Median},
-      {"C5: the same with five readers, kB/s", "cost_driving5", {"clean"}, "robot_kBps", 25, Of::Median},
-      {"C5: robot's relay while driving, share of a core", "cost_driving1", {"clean"}, "robot_cpu", 0.05, Of::Median},
-  };
-  return all;
-}
-
-/// The figure that counts for a target; nothing if it was not measured.
-std::optional<double> counted(const Records& records, const Target& target, const std::string& whose) {
-  std::optional<double> worst;
-  for (const auto& air : target.airs) {
-    const auto values = values_of(records, target.what, whose, air, target.figure);
-    if (values.empty()) continue;
-    const double value =
-        target.of == Target::Of::Worst ? *std::max_element(values.begin(), values.end()) : quantile(values, 0.5);
-    worst = target.of == Target::Of::LeastMedian ? std::min(value, worst.value_or(value))
-                                                 : std::max(value, worst.value_or(value));
-  }
-  return worst;
 }
 
 std::string plot_of(const Records& records, const std::string& what, const std::string& figure,
@@ -227,26 +211,8 @@ std::string plot_of(const Records& records, const std::string& what, const std::
 
 }  // namespace
 
-std::string network_targets(const std::vector<NetworkRecord>& records) {
-  std::string text = "| target | limit | ours | default | met |\n|---|---|---|---|---|\n";
-  for (const auto& target : targets()) {
-    const auto ours = counted(records, target, "ours");
-    const auto theirs = counted(records, target, "default");
-    const bool met = ours && (target.of == Target::Of::LeastMedian ? *ours >= target.limit : *ours <= target.limit);
-    text += "| " + target.text + " | " + text_of_number(target.limit) + " | " + (ours ? text_of_number(*ours) : "–") +
-            " | " + (theirs ? text_of_number(*theirs) : "–") + " | " +
-            (!ours ? "not measured"
-             : met ? "yes"
-                   : "**no**") +
-            " |\n";
-  }
-  return text;
-}
-
 std::map<std::string, std::string> network_report(const std::vector<NetworkRecord>& records,
                                                   const NetworkRunInfo& info) {
-  int runs = 0;
-  for (const auto& record : records) runs = std::max(runs, record.key.run);
   const auto failed =
       std::count_if(records.begin(), records.end(), [](const auto& record) { return record.figures.empty(); });
   std::string text =
@@ -257,8 +223,8 @@ std::map<std::string, std::string> network_report(const std::vector<NetworkRecor
       "is dead for 300 ms of every second (bursts), or carries 2 Mbit/s with a queue of 300 ms and bursts of 16 KiB at "
       "once. *default* is Fast DDS "
       "2.9.1 as it comes, but over UDP alone, with the reliability, durability and depth that the data need. Median "
-      "(lowest to highest) of " +
-      std::to_string(runs) + " runs. " + std::to_string(failed) + " of " + std::to_string(records.size()) +
+      "(lowest to highest) of the runs, of which each table tells the number. " +
+      std::to_string(failed) + " of " + std::to_string(records.size()) +
       " measurements failed.\n\n## Targets\n\nOf ours: the median of the runs, or the worst run where the target is an "
       "upper bound for all.\n\n" +
       network_targets(records);

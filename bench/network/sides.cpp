@@ -117,7 +117,7 @@ std::unique_ptr<Side> make_side(const std::string& whose, test::LabHost& host, c
   options.role = host.name() == "robot" ? "robot" : "laptop";
   options.host_domain = kHostDomain;
   options.link_domain = kLinkDomain;
-  options.peers = {peer_address};
+  options.link.peers = {peer_address};
   if (whose == "secured") {
     static const test::LinkAuthority authority;
     options.security_folder =

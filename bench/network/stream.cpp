@@ -1,8 +1,5 @@
 #include "bench/network/stream.hpp"
 
-#include "bench/network/quantiles.hpp"
-#include "bench/network/record.hpp"
-
 namespace tandem::bench {
 namespace {
 
@@ -42,6 +39,19 @@ std::unique_ptr<Stream> pose_stream(Side& side, double rate_hz) {
       key_of_robot<msg::RobotPosePubSubType>());
 }
 
+std::unique_ptr<Stream> plan_stream(Side& side, double rate_hz) {
+  return std::make_unique<Stream>(
+      side, info_of(topic::kTeamPlan), rate_hz,
+      [](std::uint64_t number, Time now) {
+        msg::TeamPlan plan;
+        plan.robot("robot1");
+        plan.sequence_number(number);
+        plan.stamp_ns(to_stamp_ns(now));
+        return bus::encode<msg::TeamPlanPubSubType>(plan);
+      },
+      key_of_robot<msg::TeamPlanPubSubType>());
+}
+
 std::unique_ptr<Stream> odometry_stream(Side& side, double rate_hz) {
   return std::make_unique<Stream>(
       side, info_of(topic::kOdometry), rate_hz,
@@ -72,10 +82,7 @@ double ms_to_next_pose(Listener& listener, Duration patience) {
   const Time began = SteadyClock{}.now();
   double ms = kNever;
   holds_within(patience, [&] {
-    for (const auto& sample : listener.arrivals->take()) {
-      const auto pose = bus::decode<msg::RobotPosePubSubType>(sample.payload);
-      if (pose && pose->stamp_ns() >= to_stamp_ns(began)) ms = std::min(ms, to_ms(sample.received - began));
-    }
+    ms = ms_to_first<msg::RobotPosePubSubType>(listener, began);
     return ms < kNever;
   });
   return ms;

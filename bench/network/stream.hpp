@@ -1,9 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <thread>
 
+#include "bench/network/quantiles.hpp"
+#include "bench/network/record.hpp"
 #include "bench/network/sides.hpp"
 #include "services/common/clock.hpp"
 
@@ -28,6 +31,8 @@ class Stream {
 
 /// The robot's pose; `number` stands in its odometry_epoch.
 [[nodiscard]] std::unique_ptr<Stream> pose_stream(Side& side, double rate_hz);
+/// The team's plan, without a path.
+[[nodiscard]] std::unique_ptr<Stream> plan_stream(Side& side, double rate_hz);
 /// Odometry of about 200 bytes.
 [[nodiscard]] std::unique_ptr<Stream> odometry_stream(Side& side, double rate_hz);
 
@@ -35,6 +40,18 @@ class Stream {
 void pause(Duration duration);
 /// Asks `condition` each millisecond. False after `timeout`.
 bool holds_within(Duration timeout, const std::function<bool()>& condition);
+
+/// ms from `began` to the first of the samples that arrived at `listener` since the last call and were sent from then
+/// on; kNever if there is none.
+template <class PubSubType>
+[[nodiscard]] double ms_to_first(Listener& listener, Time began) {
+  double ms = kNever;
+  for (const auto& sample : listener.arrivals->take()) {
+    const auto message = bus::decode<PubSubType>(sample.payload);
+    if (message && message->stamp_ns() >= to_stamp_ns(began)) ms = std::min(ms, to_ms(sample.received - began));
+  }
+  return ms;
+}
 
 /// ms from now until a pose that was sent from now on arrives at `listener`; kNever after `patience`.
 [[nodiscard]] double ms_to_next_pose(Listener& listener, Duration patience);

@@ -215,7 +215,7 @@ struct Result {
   friend bool operator==(const Result&, const Result&) = default;
 };
 
-/// Every command of `client` up to `up_to` has arrived; `results` tell what became of some of them.
+/// The fate of every command of `client` up to `up_to` is known; `results` tell what became of some of them.
 struct Ack {
   std::string client;
   std::uint64_t up_to = 0;

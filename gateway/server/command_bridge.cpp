@@ -8,6 +8,10 @@ namespace tandem::gateway {
 
 using protocol::CommandKind;
 
+std::string event_id_of(const protocol::Command& command) {
+  return command.client + "-" + std::to_string(command.sequence);
+}
+
 CommandBridge::CommandBridge(bus::Bus& bus, const SiteConfig& site, const Clock& clock)
     : site_(site),
       clock_(clock),
@@ -20,7 +24,7 @@ CommandBridge::CommandBridge(bus::Bus& bus, const SiteConfig& site, const Clock&
 void CommandBridge::submit(const protocol::Command& command, const std::string& agent) {
   const Sender sender{.agent = agent.empty() ? site_.agent : agent,
                       .robot = site_.robot,
-                      .id = bus::new_event_id("gateway", clock_),
+                      .id = event_id_of(command),
                       .pressed = clock_.now() - from_seconds(command.age_ms / 1000.0)};
   switch (command.kind) {
     case CommandKind::Stop:

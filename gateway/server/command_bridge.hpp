@@ -12,7 +12,13 @@
 
 namespace tandem::gateway {
 
+/// The id of the Event that `command` becomes: what the phone that counts it calls it.
+[[nodiscard]] std::string event_id_of(const protocol::Command& command);
+
 /// Puts commands of phones on the bus as Events, and tells what became of them.
+///
+/// A command that a phone sends again, to a gateway that has been restarted, is the same Event by its id, and who
+/// applied it already does not do so twice.
 class CommandBridge {
  public:
   /// `clock` is mission time, for the stamps.

@@ -163,16 +163,16 @@ void GatewayService::handle(net::SocketId socket, Phone& phone, const protocol::
   if (refusal) {
     const protocol::Result result{command.sequence, "refused", *refusal};
     ledger_.settle(command.client, result);
-    spdlog::info("command refused: kind={} slot={} why={}", protocol::name_of(command.kind), phone.slot.name, *refusal);
+    spdlog::info("command refused: kind={} slot={} id={} why={}", protocol::name_of(command.kind), phone.slot.name,
+                 event_id_of(command), *refusal);
     return acknowledge(command.client, {result});
   }
   bridge_.submit(command, phone.slot.agent);
-  acknowledge(command.client, {});
 }
 
 void GatewayService::acknowledge(const std::string& client, std::vector<protocol::Result> results) {
-  const std::string text =
-      protocol::write(protocol::ServerMessage{protocol::Ack{client, ledger_.up_to(client), std::move(results)}});
+  const std::string text = protocol::write(
+      protocol::ServerMessage{protocol::Ack{client, ledger_.settled_up_to(client), std::move(results)}});
   for (const auto& [socket, phone] : phones_) {
     if (phone.client == client) server_.send(socket, text);
   }

@@ -46,7 +46,7 @@ struct Timing {
 
 Timing timing_of(Delivery delivery, const DomainOptions& options) {
   if (options.pace == Pace::Lockstep) return {5, 2, 0, true};  // replay waits for each answer
-  if (delivery == Delivery::Event) return {50, 2, 2, false};   // few and small: ask at once, ask often
+  if (delivery == Delivery::Event) return {20, 2, 2, false};   // few and small: ask at once, ask often
   if (options.kind == DomainOptions::Kind::Host) return {200, 5, 5, true};
   // On the link a round of question and answer must be longer than the queue in front of the air, or what is still
   // queued is sent again, and again: the map waits longer than a plan. A piggyback comes before its data has left.

@@ -149,6 +149,7 @@ void PlannerService::read_events(Time now) {
       spdlog::info("message refused: id={} reason=\"{}\"", message.id(), *refusal);
       human_messages_.refused(message.id(), *refusal);
     } else {
+      spdlog::info("message applied: id={}", message.id());
       human_messages_.applied(message.id());
     }
   }

@@ -87,8 +87,8 @@ void TrackerService::take_messages(Time now) {
       if (is_new) plan_id_.clear();  // so that the plan is looked at again for the new one
       teammate->second.hear(pose, people_);
       messages_.applied(message.id());
-      spdlog::info("my pose: agent={} x={:.2f} y={:.2f} track={}", message.agent(), pose.point_in_map.x(),
-                   pose.point_in_map.y(), teammate->second.track_id().value_or(0));
+      spdlog::info("message applied: id={} agent={} x={:.2f} y={:.2f} track={}", message.id(), message.agent(),
+                   pose.point_in_map.x(), pose.point_in_map.y(), teammate->second.track_id().value_or(0));
     }
   }
 }

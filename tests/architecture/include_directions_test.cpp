@@ -72,8 +72,7 @@ const std::vector<Row>& rows() {
       {"gateway/web/", {"gateway/net/"}},
       {"calibration/", with(kCore, {"calibration/", "*/core/"})},
       // Both sides of the link in a laboratory: ours through relays and bus, the peer through Fast DDS itself.
-      {"bench/network/",
-       with(kShell, {"bench/", "services/relay/", "tests/network/", "tests/support/link_authority.hpp"})},
+      {"bench/network/", with(kShell, {"bench/", "services/relay/", "tests/network/", "tests/support/"})},
       {"bench/", with(kCore, {"bench/", "*/core/", "services/planner/remote/"})},
   };
   return table;

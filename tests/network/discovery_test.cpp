@@ -52,32 +52,33 @@ const Conditions kWithoutMulticast{.multicast = false};
 
 TEST(DiscoveryOverTheAir, MulticastNeedsNoNames) {
   TANDEM_NEEDS_LABORATORY();
-  EXPECT_TRUE((ThreeHosts{{.discovery = "multicast"}, {}}.all_are_heard()));
+  EXPECT_TRUE((ThreeHosts{{.link = {.discovery = "multicast"}}, {}}.all_are_heard()));
 }
 
 TEST(DiscoveryOverTheAir, AutoNeedsNoNamesWhereMulticastWorks) {
   TANDEM_NEEDS_LABORATORY();
-  EXPECT_TRUE((ThreeHosts{{.discovery = "auto"}, {}}.all_are_heard()));
+  EXPECT_TRUE((ThreeHosts{{.link = {.discovery = "auto"}}, {}}.all_are_heard()));
 }
 
 TEST(DiscoveryOverTheAir, AutoNeedsNoMulticastWhereNamesAreGiven) {
   TANDEM_NEEDS_LABORATORY();
-  EXPECT_TRUE((ThreeHosts{{.discovery = "auto", .peers = kEveryone}, kWithoutMulticast}.all_are_heard()));
+  EXPECT_TRUE((ThreeHosts{{.link = {.discovery = "auto", .peers = kEveryone}}, kWithoutMulticast}.all_are_heard()));
 }
 
 TEST(DiscoveryOverTheAir, PeersFindEachOtherByUnicastAlone) {
   TANDEM_NEEDS_LABORATORY();
-  EXPECT_TRUE((ThreeHosts{{.discovery = "peers", .peers = kEveryone}, kWithoutMulticast}.all_are_heard()));
+  EXPECT_TRUE((ThreeHosts{{.link = {.discovery = "peers", .peers = kEveryone}}, kWithoutMulticast}.all_are_heard()));
 }
 
 TEST(DiscoveryOverTheAir, AServerIntroducesThem) {
   TANDEM_NEEDS_LABORATORY();
-  EXPECT_TRUE((ThreeHosts{{.discovery = "server", .servers = {"10.66.0.1"}}, kWithoutMulticast}.all_are_heard()));
+  EXPECT_TRUE(
+      (ThreeHosts{{.link = {.discovery = "server", .servers = {"10.66.0.1"}}}, kWithoutMulticast}.all_are_heard()));
 }
 
 TEST(DiscoveryOverTheAir, TwoServersIntroduceThem) {
   TANDEM_NEEDS_LABORATORY();
-  const RelayOptions options{.discovery = "server", .servers = {"10.66.0.1", "10.66.0.2"}};
+  const RelayOptions options{.link = {.discovery = "server", .servers = {"10.66.0.1", "10.66.0.2"}}};
   EXPECT_TRUE((ThreeHosts{options, kWithoutMulticast}.all_are_heard()));
 }
 

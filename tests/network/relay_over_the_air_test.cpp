@@ -41,7 +41,7 @@ TEST(RelayOverTheAir, FirstDataArriveThroughLossAndBursts) {
 
 TEST(RelayOverTheAir, AutoWorksWhereTheAirDropsMulticast) {
   TANDEM_NEEDS_LABORATORY();
-  TwoHosts hosts{{.discovery = "auto"}, {.multicast = false}};
+  TwoHosts hosts{{.link = {.discovery = "auto"}}, {.multicast = false}};
   EXPECT_TRUE(state_gets_through(hosts, seconds{20}));
 }
 

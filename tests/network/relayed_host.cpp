@@ -12,10 +12,7 @@ RelayedHost::RelayedHost(LabHost& host, const RelayOptions& options) : host_(hos
   site.robot = options.robot;
   site.host_domain = options.host_domain;
   site.link_domain = options.link_domain;
-  site.link_address = options.link_address;
-  site.discovery = options.discovery;
-  site.peers = options.peers;
-  site.servers = options.servers;
+  join(site, options.link);
   site.secure_link = !options.security_folder.empty();
   if (site.secure_link) site.security_folder = options.security_folder;
   write_file_atomically(config_ / "site.toml", write_config(site));

@@ -2,10 +2,10 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "services/bus/bus.hpp"
 #include "tests/network/lab/laboratory.hpp"
+#include "tests/support/link_place.hpp"
 #include "tests/support/process.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -17,10 +17,7 @@ struct RelayOptions {
   std::string robot = "robot1";
   int host_domain = 0;
   int link_domain = 0;
-  std::string link_address = "wifi0";  ///< an address, or the interface whose address is followed
-  std::string discovery = "auto";
-  std::vector<std::string> peers{};
-  std::vector<std::string> servers{};
+  LinkPlace link{};
   std::string security_folder{};  ///< files of a secured link; empty: not secured
 };
 

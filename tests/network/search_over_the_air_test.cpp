@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
-#include "tests/network/lab/laboratory.hpp"
+#include "tests/network/team_on_the_air.hpp"
 #include "tests/support/domain_lease.hpp"
-#include "tests/support/simulated_team.hpp"
 
 namespace tandem::test {
 namespace {
@@ -21,29 +20,11 @@ using std::chrono::seconds;
 
 const Conditions kBadAir{.loss = 0.2, .dead_for = milliseconds{300}, .dead_every = seconds{1}};
 
-/// A team whose hosts are `robot` and `laptop` of the laboratory. The simulated phone, which is where the simulated
-/// world is, has a cable to the gateway: how a browser bears a bad air is tested with the gateway.
-TeamOptions team_on(Laboratory& lab, const std::string& robot, const std::string& laptop) {
-  TeamOptions options;
-  options.robot = robot;
-  options.without = {"camera", "laptop-of-" + robot + "/map-server"};  // the laptop has no map of its own
-  options.gateway_address = lab.join_by_cable(robot, laptop);
-  const auto network = [&lab](const std::string& own, const std::string& other) {
-    return HostNetwork{.run = [&host = lab.host(own)](const std::function<void()>& work) { host.run(work); },
-                       .link_address = "wifi0",
-                       .peers = {lab.host(other).address()}};
-  };
-  options.robot_network = network(robot, laptop);
-  options.laptop_network = network(laptop, robot);
-  return options;
-}
-
 /// What both hosts of a team hear of what must cross the link whole.
 class Witness {
  public:
   explicit Witness(SimulatedTeam& team)
-      : team_(team),
-        base_(team.robot_bus().in_order(topic::kBaseStatus)),
+      : false_stops_(team),
         sent_(team.laptop_bus().in_order(topic::kHumanMessage)),
         receipts_(team.laptop_bus().in_order(topic::kMessageReceipt)),
         arrived_(team.robot_bus().in_order(topic::kHumanMessage)),
@@ -53,13 +34,7 @@ class Witness {
         robot_map_(team.robot_bus().latest(topic::kMap)) {}
 
   void listen() {
-    if (!runs_since_ && team_.episode().phase() == Episode::Phase::Running)
-      runs_since_ = team_.robot_bus().clock().now();
-    for (const auto& status : base_.take()) {
-      if (!runs_since_ || status.received < *runs_since_ || team_.episode().is_over()) continue;
-      const auto& reasons = status.message.stop_reasons();
-      false_stops_ += std::any_of(reasons.begin(), reasons.end(), &Witness::is_false) ? 1 : 0;
-    }
+    false_stops_.listen();
     for (const auto& message : sent_.take()) sent_ids_.insert(message.message.id());
     for (const auto& message : arrived_.take()) arrived_ids_.insert(message.message.id());
     for (const auto& receipt : receipts_.take()) {
@@ -67,8 +42,7 @@ class Witness {
       (receipt.message.applied() ? appliers_ : refusers_)[receipt.message.id()].insert(receipt.message.by());
     }
   }
-  /// How often the base said that it was held back by something that was not there.
-  [[nodiscard]] int false_stops() const { return false_stops_; }
+  [[nodiscard]] const FalseStops& false_stops() const { return false_stops_; }
   [[nodiscard]] std::size_t messages() const { return sent_ids_.size(); }
   /// Has every message of the person been applied by all that should, wherever they are, or been refused by one?
   /// Whoever sent a message that was refused does not repeat it.
@@ -106,13 +80,7 @@ class Witness {
   }
 
  private:
-  /// The person may come close; all else that stops a robot is well in these searches.
-  static bool is_false(msg::StopReason reason) {
-    return reason != msg::STOP_NONE && reason != msg::STOP_NOT_ENABLED && reason != msg::STOP_OBSTACLE;
-  }
-
-  SimulatedTeam& team_;
-  bus::InOrder<msg::BaseStatus, msg::BaseStatusPubSubType> base_;
+  FalseStops false_stops_;
   bus::InOrder<msg::HumanMessage, msg::HumanMessagePubSubType> sent_;
   bus::InOrder<msg::MessageReceipt, msg::MessageReceiptPubSubType> receipts_;
   bus::InOrder<msg::HumanMessage, msg::HumanMessagePubSubType> arrived_;
@@ -120,8 +88,6 @@ class Witness {
   bus::Latest<msg::TeamPlan, msg::TeamPlanPubSubType> robot_plan_;
   bus::Latest<msg::OccupancyGrid, msg::OccupancyGridPubSubType> laptop_map_;
   bus::Latest<msg::OccupancyGrid, msg::OccupancyGridPubSubType> robot_map_;
-  std::optional<Time> runs_since_;
-  int false_stops_ = 0;
   std::set<std::string> sent_ids_;
   std::set<std::string> arrived_ids_;
   std::map<std::string, std::set<std::string>> appliers_;
@@ -137,7 +103,8 @@ bool is_settled(SimulatedTeam& team, Witness& witness) {
 
 void expect_good_end(SimulatedTeam& team, const Witness& witness) {
   EXPECT_EQ(team.episode().phase(), Episode::Phase::Found) << team.last_words();
-  EXPECT_EQ(witness.false_stops(), 0) << team.last_words();
+  EXPECT_EQ(witness.false_stops().of_base(), std::vector<msg::StopReason>{}) << team.last_words();
+  EXPECT_EQ(witness.false_stops().for_want_of_a_plan(), 0) << team.last_words();
   EXPECT_GT(witness.messages(), 0U);
   EXPECT_TRUE(witness.all_answered()) << witness.told();
   EXPECT_TRUE(witness.same_map());

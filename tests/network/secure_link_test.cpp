@@ -158,12 +158,12 @@ void expect_talk(const RelayOptions& options, const Conditions& conditions) {
 
 TEST(SecureLink, WorksByMulticast) {
   TANDEM_NEEDS_LABORATORY();
-  expect_talk({.discovery = "multicast"}, {});
+  expect_talk({.link = {.discovery = "multicast"}}, {});
 }
 
 TEST(SecureLink, WorksByPeersWithoutMulticastThroughLoss) {
   TANDEM_NEEDS_LABORATORY();
-  expect_talk({.discovery = "peers", .peers = {"10.66.0.1", "10.66.0.2"}}, {.loss = 0.1, .multicast = false});
+  expect_talk({.link = {.discovery = "peers", .peers = {"10.66.0.1", "10.66.0.2"}}}, {.loss = 0.1, .multicast = false});
 }
 
 /// A robot and a laptop that talk, and a third host that has overheard the laptop's name.

@@ -19,10 +19,10 @@ class TwoHosts {
     options.host_domain = domains_[0];
     options.link_domain = domains_[1];
     options.role = "robot";
-    options.peers = {lab_.host("laptop").address()};
+    options.link.peers = {lab_.host("laptop").address()};
     robot_ = std::make_unique<RelayedHost>(lab_.host("robot"), options);
     options.role = "laptop";
-    options.peers = {lab_.host("robot").address()};
+    options.link.peers = {lab_.host("robot").address()};
     laptop_ = std::make_unique<RelayedHost>(lab_.host("laptop"), options);
   }
 

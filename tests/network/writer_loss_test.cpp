@@ -13,6 +13,7 @@ using std::chrono::seconds;
 /// The lease of a participant, half a second for Fast DDS to see that it has run out, and a second to be shown over
 /// there (docs/network.md, "When a writer dies").
 constexpr Duration kMarkedWithin = milliseconds{6500};
+constexpr double kBattery_v = 12.0;
 
 /// A service of `on` that needs no hardware.
 class Tracker {
@@ -49,6 +50,24 @@ class Witness {
   bus::Latest<msg::ServiceHealth, msg::ServiceHealthPubSubType> health_;
 };
 
+/// A robot whose base told its status once, and the laptop's reader of it.
+struct ToldOnce {
+  TwoHosts hosts;
+  bus::Writer<msg::BaseStatus, msg::BaseStatusPubSubType> writer{hosts.robot().bus().writer(topic::kBaseStatus)};
+  bus::Latest<msg::BaseStatus, msg::BaseStatusPubSubType> reader{hosts.laptop().bus().latest(topic::kBaseStatus)};
+
+  ToldOnce() {
+    msg::BaseStatus status;
+    status.robot("robot1");
+    status.battery_v(kBattery_v);
+    writer.write(status);
+  }
+  [[nodiscard]] bool becomes(bool writer_alive) {
+    return bus::wait_until(hosts.laptop().bus(), seconds{20},
+                           [&] { return reader.newest() && reader.newest()->writer_alive == writer_alive; });
+  }
+};
+
 TEST(WriterLoss, OfEitherHostIsSeenOnTheOtherAndItsReturnToo) {
   TANDEM_NEEDS_LABORATORY();
   TwoHosts hosts;
@@ -79,38 +98,23 @@ TEST(WriterLoss, OfEitherHostIsSeenOnTheOtherAndItsReturnToo) {
 
 TEST(WriterLoss, AnOutageMarksEveryStateAndItsEndBringsThemBack) {
   TANDEM_NEEDS_LABORATORY();
-  TwoHosts hosts;
-  auto writer = hosts.robot().bus().writer(topic::kBaseStatus);
-  auto reader = hosts.laptop().bus().latest(topic::kBaseStatus);
-  msg::BaseStatus status;
-  status.robot("robot1");
-  status.battery_v(12.0);
-  writer.write(status);  // once
-  const auto is_alive = [&](bool alive) {
-    return bus::wait_until(hosts.laptop().bus(), seconds{20},
-                           [&] { return reader.newest() && reader.newest()->writer_alive == alive; });
-  };
-  ASSERT_TRUE(is_alive(true));
-  hosts.lab().set_all({.out = true});
-  EXPECT_TRUE(is_alive(false));
-  EXPECT_EQ(reader.newest()->message.battery_v(), 12.0);
-  hosts.lab().set_all({});
-  EXPECT_TRUE(is_alive(true));
-  EXPECT_EQ(reader.newest()->message.battery_v(), 12.0);
+  ToldOnce told;
+  ASSERT_TRUE(told.becomes(true));
+  told.hosts.lab().set_all({.out = true});
+  EXPECT_TRUE(told.becomes(false));
+  EXPECT_EQ(told.reader.newest()->message.battery_v(), kBattery_v);
+  told.hosts.lab().set_all({});
+  EXPECT_TRUE(told.becomes(true));
+  EXPECT_EQ(told.reader.newest()->message.battery_v(), kBattery_v);
 }
 
 TEST(WriterLoss, ARelayThatDiesMarksWhatItBrought) {
   TANDEM_NEEDS_LABORATORY();
-  TwoHosts hosts;
-  auto writer = hosts.robot().bus().writer(topic::kBaseStatus);
-  auto reader = hosts.laptop().bus().latest(topic::kBaseStatus);
-  msg::BaseStatus status;
-  status.robot("robot1");
-  writer.write(status);
-  ASSERT_TRUE(bus::wait_until(hosts.laptop().bus(), seconds{20}, [&] { return reader.newest().has_value(); }));
-  hosts.robot().restart_relay();
-  EXPECT_TRUE(bus::wait_until(hosts.laptop().bus(), seconds{20}, [&] { return !reader.newest()->writer_alive; }));
-  EXPECT_TRUE(bus::wait_until(hosts.laptop().bus(), seconds{20}, [&] { return reader.newest()->writer_alive; }));
+  ToldOnce told;
+  ASSERT_TRUE(told.becomes(true));
+  told.hosts.robot().restart_relay();
+  EXPECT_TRUE(told.becomes(false));
+  EXPECT_TRUE(told.becomes(true));
 }
 
 }  // namespace

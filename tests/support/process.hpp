@@ -6,10 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
+
+#include "tests/support/process_use.hpp"
 
 namespace tandem::test {
 
@@ -47,27 +47,9 @@ class Process {
   [[nodiscard]] bool is_running() const { return id_ > 0 && waitpid(id_, nullptr, WNOHANG) == 0; }
 
   /// What it has in memory now [MB].
-  [[nodiscard]] double memory_MB() const {
-    std::ifstream file{"/proc/" + std::to_string(id_) + "/statm"};
-    double whole = 0.0;
-    double resident = 0.0;
-    file >> whole >> resident;
-    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
-  }
-
+  [[nodiscard]] double memory_MB() const { return memory_MB_of(id_); }
   /// What it has used of a core so far [s].
-  [[nodiscard]] double cpu_s() const {
-    std::ifstream file{"/proc/" + std::to_string(id_) + "/stat"};
-    std::string line;
-    std::getline(file, line);
-    std::istringstream fields{line.substr(line.rfind(')') + 2)};  // the name in brackets may hold anything
-    std::string skipped;
-    for (int i = 3; i < 14; ++i) fields >> skipped;
-    double user = 0.0;
-    double system = 0.0;
-    fields >> user >> system;
-    return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
-  }
+  [[nodiscard]] double cpu_s() const { return cpu_s_of(id_); }
 
  private:
   pid_t id_ = -1;

@@ -24,13 +24,11 @@ void set_in(const fs::path& file, const std::vector<std::pair<std::string, std::
 }
 
 /// Lets the relay of a host join the link in `network`.
-void join(const fs::path& config, const HostNetwork& network) {
-  if (network.link_address.empty()) return;
-  std::string peers;
-  for (const std::string& peer : network.peers) peers += (peers.empty() ? "" : ", ") + cli::toml_string(peer);
-  set_in(config / "site.toml", {{"link_address", cli::toml_string(network.link_address)},
-                                {"discovery", cli::toml_string("auto")},
-                                {"peers", "[" + peers + "]"}});
+void join_in(const HostNetwork& network, const fs::path& config) {
+  if (!network.link) return;
+  auto site = load_config<SiteConfig>(config / "site.toml");
+  join(site, *network.link);
+  write_file_atomically(config / "site.toml", write_config(site));
 }
 
 double speed_of(const msg::GroundTruth& truth) {
@@ -58,8 +56,8 @@ SimulatedTeam::SimulatedTeam(const TeamOptions& options) : options_(options) {
   run.folder = home_ / "run";
   run.recording_folder = run.folder;
   folder_ = cli::make_run_folder(run);
-  join(folder_.robot_config, options.robot_network);
-  join(folder_.laptop_config, options.laptop_network);
+  join_in(options.robot_network, folder_.robot_config);
+  join_in(options.laptop_network, folder_.laptop_config);
   set_in(folder_.laptop_config / "gateway.toml", {{"address", cli::toml_string(options.gateway_address)},
                                                   {"link_host", cli::toml_string(options.gateway_address)}});
   laptop_site_ = load_config<SiteConfig>(folder_.laptop_config / "site.toml");
@@ -80,6 +78,7 @@ SimulatedTeam::SimulatedTeam(const TeamOptions& options) : options_(options) {
       const auto is_left_out = [&](const std::string& name) { return name == service || name == process.name; };
       if (std::any_of(options.without.begin(), options.without.end(), is_left_out)) continue;
       supervisor_.start(process);
+      plans_.push_back(process);
       processes_.push_back(process.name);
       plan.needed.push_back(process.name);
     }
@@ -114,18 +113,43 @@ bool SimulatedTeam::run_until(Duration timeout, const std::function<bool()>& con
                          [&] {
                            episode_->step();
                            for (auto& truth : truth_->take()) newest_truth_ = std::move(truth.message);
-                           for (const auto& end : supervisor_.ended()) {
-                             if (std::erase(processes_, end.name) > 0)
-                               unexpected_end_ += end.name + ": " + end.last_log + "\n";
-                           }
+                           note_ends();
                            return !unexpected_end_.empty() || condition();
                          }) &&
          unexpected_end_.empty();
 }
 
+void SimulatedTeam::note_ends() {
+  for (const auto& end : supervisor_.ended()) {
+    if (std::erase(processes_, end.name) > 0) unexpected_end_ += end.name + ": " + end.last_log + "\n";
+  }
+}
+
 void SimulatedTeam::kill(const std::string& host, const std::string& service) {
-  std::erase(processes_, host + "/" + service);
-  supervisor_.signal(host + "/" + service, SIGKILL);
+  const std::string name = host + "/" + service;
+  std::erase(processes_, name);
+  supervisor_.signal(name, SIGKILL);
+  std::ignore = bus::wait_until(*robot_bus_, std::chrono::seconds{5}, [&] {
+    note_ends();
+    return !supervisor_.is_running(name);
+  });
+}
+
+void SimulatedTeam::start_again(const std::string& host, const std::string& service) {
+  const std::string name = host + "/" + service;
+  const auto plan = std::find_if(plans_.begin(), plans_.end(), [&](const auto& one) { return one.name == name; });
+  const HostNetwork& network = host == options_.robot ? options_.robot_network : options_.laptop_network;
+  network.run([&] { supervisor_.start(*plan); });
+  processes_.push_back(name);
+}
+
+std::vector<std::string> SimulatedTeam::services(const std::string& host) const {
+  std::vector<std::string> names;
+  for (const std::string& process : processes_) {
+    const std::string service = process.substr(process.find('/') + 1);
+    if (process == host + "/" + service && service != "simulator") names.push_back(service);
+  }
+  return names;
 }
 
 std::optional<double> SimulatedTeam::wheel_speed_mps() const {

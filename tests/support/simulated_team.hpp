@@ -11,6 +11,7 @@
 #include "services/cli/up/episode.hpp"
 #include "services/cli/up/run_folder.hpp"
 #include "services/cli/up/supervisor.hpp"
+#include "tests/support/link_place.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace tandem::test {
@@ -19,8 +20,7 @@ namespace tandem::test {
 struct HostNetwork {
   /// Does work in that network: processes and threads that are made there stay there.
   std::function<void(const std::function<void()>&)> run = [](const std::function<void()>& work) { work(); };
-  std::string link_address;        ///< of the relay; empty: as in config/simulation
-  std::vector<std::string> peers;  ///< ... and where it looks for the other; empty: by multicast alone
+  std::optional<LinkPlace> link{};  ///< none: as in config/simulation
 };
 
 /// How a team is made up for a test.
@@ -49,6 +49,14 @@ class SimulatedTeam {
   bool run_until(Duration timeout, const std::function<bool()>& condition);
   /// Kills a service at once: "base", "relay", ... of the host that is named.
   void kill(const std::string& host, const std::string& service);
+  /// Starts a service that was killed.
+  void start_again(const std::string& host, const std::string& service);
+  /// The services of a host that run, without the simulator: that is hardware and world.
+  [[nodiscard]] std::vector<std::string> services(const std::string& host) const;
+  /// The process of a service; none if it does not run.
+  [[nodiscard]] std::optional<pid_t> process(const std::string& host, const std::string& service) const {
+    return supervisor_.id_of(host + "/" + service);
+  }
 
   [[nodiscard]] cli::Episode& episode() { return *episode_; }
   [[nodiscard]] bus::Bus& robot_bus() { return *robot_bus_; }
@@ -56,6 +64,8 @@ class SimulatedTeam {
   [[nodiscard]] const cli::RunFolder& folder() const { return folder_; }
   /// Ends all processes in order, so that the recordings of both hosts are closed.
   void stop();
+  /// Processes that ended though nobody killed them, and their last words.
+  [[nodiscard]] const std::string& unexpected_ends() const { return unexpected_end_; }
   /// The recording of the robot's or the laptop's host.
   [[nodiscard]] std::filesystem::path recording(const std::string& role) const;
   [[nodiscard]] const SiteConfig& laptop_site() const { return laptop_site_; }
@@ -71,6 +81,8 @@ class SimulatedTeam {
   [[nodiscard]] std::string last_words() const;
 
  private:
+  void note_ends();
+
   TemporaryFolder home_;  ///< outlives everything that writes in it
   TeamOptions options_;
   cli::RunFolder folder_;
@@ -81,6 +93,7 @@ class SimulatedTeam {
   std::unique_ptr<bus::InOrder<msg::GroundTruth, msg::GroundTruthPubSubType>> truth_;
   std::optional<msg::GroundTruth> newest_truth_;
   std::unique_ptr<cli::Episode> episode_;
+  std::vector<cli::ProcessPlan> plans_;  ///< of all processes that were ever started
   std::vector<std::string> processes_;
   std::string unexpected_end_;
 };

@@ -99,13 +99,18 @@ void Supervisor::stop_all(Duration patience) {
 }
 
 bool Supervisor::signal(const std::string& name, int signal) {
-  const auto child =
-      std::find_if(children_.begin(), children_.end(), [&](const Child& c) { return c.plan.name == name; });
-  return child != children_.end() && kill(child->pid, signal) == 0;
+  const auto id = id_of(name);
+  return id && kill(*id, signal) == 0;
 }
 
 bool Supervisor::is_running(const std::string& name) const {
   return std::any_of(children_.begin(), children_.end(), [&](const Child& c) { return c.plan.name == name; });
+}
+
+std::optional<pid_t> Supervisor::id_of(const std::string& name) const {
+  const auto child =
+      std::find_if(children_.begin(), children_.end(), [&](const Child& c) { return c.plan.name == name; });
+  return child == children_.end() ? std::nullopt : std::optional{child->pid};
 }
 
 std::filesystem::path Supervisor::log_of(const std::string& name) const {

@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,8 @@ class Supervisor {
   /// Sends `signal` to the process; false if there is none of that name.
   bool signal(const std::string& name, int signal);
   [[nodiscard]] bool is_running(const std::string& name) const;
+  /// None if no process of that name runs.
+  [[nodiscard]] std::optional<pid_t> id_of(const std::string& name) const;
   [[nodiscard]] std::filesystem::path log_of(const std::string& name) const;
   /// Processor time [s] of all children that were reaped.
   [[nodiscard]] static double processor_seconds();

@@ -36,6 +36,32 @@ TEST(NetworkReport, ATargetIsMetByTheMedianOrMissed) {
   EXPECT_TRUE(row_of({map_record("default", 1, 2100.0)}).ends_with("| not measured |"));
 }
 
+NetworkRecord stops_record(int run, double stops, double without_plan, double driven_h) {
+  return {{"false_stops", "ours", "loss30+bursts", run},
+          {{"false_stops", stops}, {"without_plan", without_plan}, {"driven_h", driven_h}}};
+}
+
+TEST(NetworkReport, TellsOfEachTableInHowManyRunsItWasMade) {
+  const NetworkRecord failed{{"map300", "ours", "loss20", 3}, {}};
+  const std::string text = network_report({map_record("ours", 1, 1.0), map_record("ours", 2, 1.0), failed,
+                                           map_record("default", 1, 1.0), stops_record(1, 0.0, 0.0, 0.1)},
+                                          {})
+                               .at("REPORT.md");
+  EXPECT_NE(text.find("as it lies in memory. 1 to 2 runs."), std::string::npos) << text;
+  EXPECT_NE(text.find("this machine's. 1 run."), std::string::npos) << text;
+}
+
+TEST(NetworkReport, AddsUpFalseStopsAndHoursOfAllRuns) {
+  const auto report_of = [](const std::vector<NetworkRecord>& records) {
+    return network_report(records, {}).at("REPORT.md");
+  };
+  const std::string some = report_of({stops_record(1, 1.0, 0.0, 0.5), stops_record(2, 0.0, 2.0, 1.0)});
+  EXPECT_NE(some.find("3.0 false stops in 1.5 h of driving, 2.0 an hour."), std::string::npos) << some;
+  EXPECT_NE(some.find("| 1.0 | 2.0 | – | **no** |"), std::string::npos) << some;
+  const std::string none = report_of({stops_record(1, 0.0, 0.0, 0.5)});
+  EXPECT_NE(none.find("0 false stops in 0.500 h of driving: less than 6.0 an hour"), std::string::npos) << none;
+}
+
 TEST(NetworkReport, ARecordComesBackAsItWas) {
   const auto record = map_record("ours", 3, 2100.5);
   const auto read = from_line<NetworkRecord>(to_line(record));

@@ -25,6 +25,13 @@ class GatewayServiceTest : public testing::Test {
         stops_(bus_, topic::kStopRequest, "base"),
         to_planner_(bus_, topic::kHumanMessage, "planner"),
         to_tracker_(bus_, topic::kHumanMessage, "tracker") {
+    start_gateway();
+  }
+  ~GatewayServiceTest() override { gateway_.reset(); }
+
+  /// A gateway that ran before has ended by then.
+  void start_gateway() {
+    gateway_.reset();
     GatewayConfig config;
     config.address = "127.0.0.1";
     config.port = 0;
@@ -37,7 +44,6 @@ class GatewayServiceTest : public testing::Test {
     site.role = "laptop";
     gateway_.emplace(config, site, bus_, clock_, clock_);
   }
-  ~GatewayServiceTest() override { gateway_.reset(); }
 
   static bus::DomainOptions options(int domain) {
     bus::DomainOptions options;
@@ -131,6 +137,34 @@ TEST_F(GatewayServiceTest, CarriesAPoseToTheTeamAndTheirReceiptBack) {
   EXPECT_EQ(human_messages_[0].kind(), msg::HUMAN_MY_POSE);
   EXPECT_DOUBLE_EQ(human_messages_[0].point_in_map().x(), 3.0);
   EXPECT_EQ(human_messages_[0].agent(), "person1");
+}
+
+TEST_F(GatewayServiceTest, CoversACommandOnlyWhenItsFateIsKnown) {
+  WebSocketClient phone{link("participant"), patient()};
+  ASSERT_TRUE(hear<protocol::Hello>(phone, [](const auto&) { return true; }));
+  ASSERT_TRUE(phone.send(command(1, CommandKind::RobotPose, protocol::Point{3.0, 4.0})));  // nobody answers it here
+  ASSERT_TRUE(phone.send(command(2, CommandKind::Replan)));
+  const auto applied = hear<protocol::Ack>(phone, [](const auto& ack) { return !ack.results.empty(); });
+  ASSERT_TRUE(applied);
+  EXPECT_EQ(applied->results[0], (protocol::Result{2, "applied", ""}));
+  EXPECT_EQ(applied->up_to, 0u);
+}
+
+TEST_F(GatewayServiceTest, ACommandThatComesAgainToANewGatewayIsTheSameEvent) {
+  std::optional<WebSocketClient> phone{std::in_place, link("participant"), patient()};
+  ASSERT_TRUE(hear<protocol::Hello>(*phone, [](const auto&) { return true; }));
+  ASSERT_TRUE(phone->send(command(1, CommandKind::Replan)));
+  ASSERT_TRUE(eventually(bus_, [&] { return human_messages_.size() == 1; }));
+
+  start_gateway();
+  phone.emplace(link("participant"), patient());
+  ASSERT_TRUE(hear<protocol::Hello>(*phone, [](const auto&) { return true; }));
+  ASSERT_TRUE(phone->send(command(1, CommandKind::Replan)));
+  const auto applied = hear<protocol::Ack>(*phone, [](const auto& ack) { return !ack.results.empty(); });
+  ASSERT_TRUE(applied);
+  EXPECT_EQ(applied->up_to, 1u);
+  EXPECT_EQ(applied->results[0], (protocol::Result{1, "applied", ""}));
+  EXPECT_EQ(human_messages_.size(), 1u);
 }
 
 TEST_F(GatewayServiceTest, AppliesACommandThatComesTwiceOnce) {

@@ -111,7 +111,7 @@ TEST(Qos, AskingAgainTakesLongerForTheMapThanForAnythingElse) {
   const auto period = [](Delivery delivery) {
     return writer_qos(delivery, on_link()).reliable_writer_qos().times.heartbeatPeriod;
   };
-  EXPECT_EQ(period(Delivery::Event), (Duration_t{0, 50'000'000}));
+  EXPECT_EQ(period(Delivery::Event), (Duration_t{0, 20'000'000}));
   EXPECT_EQ(period(Delivery::State), (Duration_t{0, 50'000'000}));
   EXPECT_EQ(period(Delivery::Bulk), (Duration_t{0, 200'000'000}));
 }

@@ -13,7 +13,7 @@ export type Wish =
 export type Storage = { load(): string | undefined; save(text: string): void };
 
 /**
- * Commands that the gateway has not acknowledged, in order, numbered without gaps; kept over reloads.
+ * Commands whose fate the gateway has not told, in order, numbered without gaps; kept over reloads.
  *
  * Everything in it is sent again after each reconnection; the gateway applies each once.
  */
@@ -51,7 +51,7 @@ export class Outbox {
     return command;
   }
 
-  /** Forgets what the gateway has: everything up to `upTo`. */
+  /** Forgets those whose fate is known: everything up to `upTo`. */
   acknowledge(client: string, upTo: number): void {
     if (client !== this.stored.client) return;
     const waiting = this.stored.waiting.filter((one) => one.sequence > upTo);
