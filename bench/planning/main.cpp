@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "bench/planning/all_command.hpp"
+#include "bench/planning/first_command.hpp"
 #include "bench/planning/instance/families.hpp"
 #include "bench/planning/run_command.hpp"
 #include "bench/planning/scores/scores_command.hpp"
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   std::function<int()> chosen;
   add_run_command(app, chosen);
+  add_first_command(app, chosen);
   add_all_command(app, chosen);
   add_freeze_command(app, chosen);
   add_scores_command(app, chosen);

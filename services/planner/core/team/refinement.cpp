@@ -10,12 +10,14 @@ namespace {
 constexpr std::size_t kLongestPiece = 5;
 constexpr std::size_t kLongestReversal = 12;
 constexpr double kSame_s = 1e-9;
-constexpr double kHeating = 3.0;     ///< after a cycle that found nothing better, the next begins so much warmer
-constexpr double kHottest = 4.0;     ///< times the warmth at first
-constexpr int kMovesOfLookout = 75;  ///< in the first cycle, for each member
-constexpr int kMostFruitless = 2;    ///< cycles
-constexpr int kMovesOfWarmth = 16;   ///< made at one temperature
-constexpr int kMostDrift = 200;      ///< changes accepted by estimate until the value is made exact again
+constexpr double kHeating = 3.0;           ///< after a cycle that found nothing better, the next begins so much warmer
+constexpr double kHottest = 4.0;           ///< times the warmth at first
+constexpr int kMovesOfLookout = 75;        ///< in the first cycle, for each member
+constexpr double kPlacesOfWarmth = 100.0;  ///< longer routes begin a cycle colder ...
+constexpr double kCoolingOfPlaces = 3.0;   ///< ... by this power of their length: one move changes a smaller share
+constexpr int kMostFruitless = 2;          ///< cycles
+constexpr int kMovesOfWarmth = 16;         ///< made at one temperature
+constexpr int kMostDrift = 200;            ///< changes accepted by estimate until the value is made exact again
 
 auto at(std::vector<int>& places, std::size_t position) {
   return places.begin() + static_cast<std::ptrdiff_t>(position);
@@ -40,17 +42,24 @@ void Refinement::take(const Routes& routes, double value_s) {
   if (estimate_) estimate_->rebase(current_);
 }
 
+void Refinement::begin_cycle() {
+  best_before_s_ = best_s_;
+  in_cycle_ = 0;
+  std::size_t places = 1;
+  for (const auto& route : best_) places += route.size();
+  warmest_ = options_.warmth * std::min(1.0, std::pow(kPlacesOfWarmth / static_cast<double>(places), kCoolingOfPlaces));
+}
+
 void Refinement::restart(const Routes& routes, double value_s) {
   best_ = routes;
   best_s_ = value_s;
   take(best_, best_s_);
-  in_cycle_ = 0;
   int lookouts = 0;
   for (LegBook* book : ground_->books) lookouts += book->actions().lookouts();
   cycle_ = std::min(options_.cycle, kMovesOfLookout * std::max(1, lookouts));
   heat_ = 1.0;
   fruitless_ = 0;
-  best_before_s_ = best_s_;
+  begin_cycle();
   fixed_.assign(routes.size(), 0);
   for (std::size_t m = 0; m < routes.size(); ++m) {
     const auto& goal = ground_->problem->members()[m].goal;
@@ -74,9 +83,8 @@ bool Refinement::improve(int moves, Rng& rng) {
       const bool is_fruitful = best_s_ < best_before_s_ - 1e-9;
       fruitless_ = is_fruitful ? 0 : fruitless_ + 1;
       heat_ = is_fruitful ? 1.0 : std::min(kHottest, kHeating * heat_);
-      best_before_s_ = best_s_;
-      in_cycle_ = 0;
       cycle_ *= 2;
+      begin_cycle();
       take(best_, best_s_);
     }
     if (i % kMovesOfWarmth == 0) warmth = warmth_now();
@@ -96,7 +104,7 @@ bool Refinement::improve(int moves, Rng& rng) {
 
 double Refinement::warmth_now() const {
   const double progress = static_cast<double>(in_cycle_) / static_cast<double>(cycle_);
-  const double warmest = heat_ * options_.warmth;
+  const double warmest = std::max(options_.coldness, heat_ * warmest_);
   return warmest * std::pow(options_.coldness / warmest, progress);
 }
 

@@ -12,7 +12,8 @@
 namespace tandem {
 
 struct RefinementOptions {
-  double warmth = 0.012;     ///< at first, how much worse a move may be to be taken with 1/e, as a share of the value
+  double warmth = 0.012;     ///< at first, how much worse a move may be to be taken with 1/e, as a share of the value;
+                             ///< less with long routes
   double coldness = 0.0001;  ///< the same at the end of a cycle
   int cycle = 20000;         ///< moves from warm to cold at first, fewer where there is little to change; then again
                              ///< from the best with twice as many
@@ -50,6 +51,8 @@ class Refinement {
   bool join(Rng& rng);
   /// Whether the trial's route of a member is a walk over near legs, as the current one is.
   [[nodiscard]] bool is_walk(std::size_t member) const;
+  /// Warms up from the best so far.
+  void begin_cycle();
   /// How much worse a move may be to be taken with 1/e, as a share of the value.
   [[nodiscard]] double warmth_now() const;
   /// Keeps the current routes, whose value is exact, if they are the best so far.
@@ -87,6 +90,7 @@ class Refinement {
   std::vector<std::size_t> fixed_;  ///< per member, places at the beginning of its route that stay
   std::vector<int> piece_;
   std::vector<int> other_piece_;
+  double warmest_ = 0.0;        ///< when a cycle begins, without heat
   double heat_ = 1.0;           ///< of this cycle, times the warmth
   double best_before_s_ = 0.0;  ///< when this cycle began
   std::int64_t cycle_ = 0;      ///< moves of this one
