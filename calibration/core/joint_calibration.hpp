@@ -26,8 +26,8 @@ struct PairResidual {
   Time from{};
   double way_m = 0.0;      ///< between the scans, by them
   double turn_rad = 0.0;   ///< likewise
-  Eigen::Vector3d before;  ///< ahead [m], to the left [m], turn [rad]: the wheels minus the scans, uncalibrated
-  Eigen::Vector3d after;   ///< calibrated
+  Eigen::Vector3d before = Eigen::Vector3d::Zero();  ///< ahead [m], to the left [m], turn [rad]: the wheels minus the scans, uncalibrated
+  Eigen::Vector3d after = Eigen::Vector3d::Zero();   ///< calibrated
   double weight = 1.0;     ///< [0, 1]; near 0: the wheels slipped, or the scans were laid wrongly
 };
 

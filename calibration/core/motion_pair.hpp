@@ -15,7 +15,7 @@ namespace tandem {
 struct MotionPair {
   Time from{};  ///< stamps of the scans
   Time to{};
-  Pose2 motion;
+  Pose2 motion{};
   Covariance3 covariance = Covariance3::Zero();  ///< of the motion, in the frame of its end
   double matched_share = 0.0;                    ///< of the later scan's points
 };

@@ -17,8 +17,8 @@ struct RelativeErrors {
 
 /// What is taken for the robot's wheels, its laser and the clock, to dead-reckon with.
 struct WheelUse {
-  WheelCorrection wheels;
-  Pose2 base_from_laser;
+  WheelCorrection wheels{};
+  Pose2 base_from_laser{};
   double laser_clock_s = 0.0;
   double half_track_m = 0.2;
 };

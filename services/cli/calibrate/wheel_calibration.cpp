@@ -51,7 +51,9 @@ WheelCalibrationResult run_wheel_calibration(const WheelCalibrationOptions& opti
                                              const std::function<bool(double, const char*)>& keep_going) {
   const RobotFiles files = read_robot_files(options.config);
   const RecordedDrive recorded = recorded_drive(options.recording, keep_going);
-  WheelCalibrationResult result{.recording = options.recording, .hold_wheels = options.hold_wheels};
+  WheelCalibrationResult result;
+  result.recording = options.recording;
+  result.hold_wheels = options.hold_wheels;
   result.model = !options.model.empty() ? options.model : recorded.model;
   result.model_is_known = !result.model.empty();
   if (!result.model_is_known) result.model = kUnnamedModel;
