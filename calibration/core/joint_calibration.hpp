@@ -16,7 +16,7 @@ using CalibrationCovariance = Eigen::Matrix<double, kCalibrationParameters, kCal
 
 /// What is known before.
 struct CalibrationStart {
-  Pose2 base_from_laser;      ///< as the recording has it
+  Pose2 base_from_laser{};    ///< as the recording has it
   double half_track_m = 0.2;  ///< that the recorded odometry counts with
   bool hold_wheels = false;   ///< They are right already: only the laser is looked for.
 };
