@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "services/cli/calibrate/camera_run.hpp"
 #include "services/cli/calibrate/wheel_calibration.hpp"
 #include "services/cli/command.hpp"
 #include "services/cli/progress.hpp"
@@ -42,6 +43,26 @@ void add_from_recording(CLI::App& calibrate, const char* name, const char* purpo
   command->callback([options] { run(*options); });
 }
 
+void run_camera(const CameraCalibrationOptions& options) {
+  const CameraCalibrationResult result = run_camera_calibration(options);
+  std::fputs(result.text.c_str(), stdout);
+  if (!result.good) throw Failed{};
+}
+
+void add_camera(CLI::App& calibrate) {
+  const auto options = std::make_shared<CameraCalibrationOptions>();
+  CLI::App* command = add_command(calibrate, "camera", "Lens and mount of the camera, from pictures of a chessboard",
+                                  "tandem calibrate camera pictures --ground ground.txt -o calibrated");
+  command->add_option("PICTURES", options->pictures, "Folder of pictures (.jpg, .png)")->required();
+  command->add_option("--ground", options->ground, "Where the board lay: lines of picture, x [m], y [m], heading [deg]")
+      ->required();
+  command->add_option("-o,--output", options->output, "Folder for camera.toml and report.html")->required();
+  command->add_option("--config", options->config, "Folder with the camera.toml to start from");
+  command->add_option("--board", options->board, "Inner corners, COLUMNSxROWS")->capture_default_str();
+  command->add_option("--square", options->square_m, "Side of a square [m]")->capture_default_str();
+  command->callback([options] { run_camera(*options); });
+}
+
 }  // namespace
 
 void add_calibrate_command(CLI::App& tandem) {
@@ -52,6 +73,7 @@ void add_calibrate_command(CLI::App& tandem) {
                      "tandem calibrate odometry drive.mcap -o calibrated --config config/lab/robot", false);
   add_from_recording(*calibrate, "laser", "The laser and its clock alone, with wheels that are right already",
                      "tandem calibrate laser drive.mcap -o calibrated --config config/lab/robot", true);
+  add_camera(*calibrate);
 }
 
 }  // namespace tandem::cli
