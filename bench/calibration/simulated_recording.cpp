@@ -159,7 +159,9 @@ SimulatedRecording simulated_recording(std::uint64_t seed, const RecordingOption
     const Time now{from_seconds(1000.0 + i * kStepS)};
     const Arc<double> velocity = driver.velocity_at(world_from_base);
     if (i % kStepsPerSample == 0) {
-      log.add_odometry({now, odom_from_base, {velocity.forward_m, 0.0, velocity.turn_rad}, 0});
+      recording.events.emplace_back(
+          OdometrySample{now, odom_from_base, {velocity.forward_m, 0.0, velocity.turn_rad}, 0});
+      log.add_odometry(std::get<OdometrySample>(recording.events.back()));
     } else if (i % kStepsPerSample == 2) {
       const Pose2 world_from_laser = world_from_base * recording.base_from_laser;
       LaserScan scan = scan_of(walls, world_from_laser, options.range_deviation_m, rng);
@@ -167,6 +169,7 @@ SimulatedRecording simulated_recording(std::uint64_t seed, const RecordingOption
       scan.base_from_laser = recording.start.base_from_laser;
       recording.world_from_laser.emplace_back(scan.time, world_from_laser);
       log.add_scan(scan);
+      recording.events.emplace_back(std::move(scan));
     }
     const Arc<double> step{kStepS * velocity.forward_m, 0.0, kStepS * velocity.turn_rad};
     const Arc<double> end = chord_of(step);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "calibration/core/joint_calibration.hpp"
@@ -25,7 +27,8 @@ struct SimulatedRecording {
   Pose2 base_from_laser;       ///< true
   double laser_clock_s = 0.0;  ///< true
   CalibrationStart start{};    ///< what the recording says
-  Drive drive{};               ///< what was recorded
+  std::vector<std::variant<OdometrySample, LaserScan>> events{};  ///< what was recorded
+  Drive drive{};               ///< the same
   std::vector<std::pair<Time, Pose2>> world_from_laser{};  ///< true, by the scans' stamps
 };
 

@@ -46,21 +46,28 @@ std::vector<std::filesystem::path> pictures_in(const std::filesystem::path& fold
   return files;
 }
 
-std::vector<Eigen::Vector2d> found_corners(const cv::Mat& picture, const Chessboard& board) {
+/// The board's corners in a picture that was made `finer` times larger; a board far away is small, and is found then.
+std::vector<Eigen::Vector2d> found_corners(const cv::Mat& picture, const Chessboard& board, double finer) {
+  cv::Mat larger;
+  cv::resize(picture, larger, {}, finer, finer, cv::INTER_CUBIC);
   std::vector<cv::Point2f> corners;
-  if (!cv::findChessboardCorners(picture, {board.columns, board.rows}, corners,
-                                 cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE)) {
+  if (!cv::findChessboardCornersSB(larger, {board.columns, board.rows}, corners,
+                                   cv::CALIB_CB_NORMALIZE_IMAGE | cv::CALIB_CB_ACCURACY)) {
     return {};
   }
-  // No farther than the next corner: a window that holds two finds neither.
-  double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < corners.size(); ++i) nearest = std::min(nearest, cv::norm(corners[i] - corners[i - 1]));
-  const int half = std::clamp(static_cast<int>(nearest / 3.0), 1, 8);
-  cv::cornerSubPix(picture, corners, {half, half}, {-1, -1},
-                   {cv::TermCriteria::EPS | cv::TermCriteria::MAX_ITER, 50, 1e-3});
   std::vector<Eigen::Vector2d> found;
-  for (const cv::Point2f& corner : corners) found.emplace_back(corner.x, corner.y);
+  for (const cv::Point2f& corner : corners) {
+    found.emplace_back((corner.x + 0.5) / finer - 0.5, (corner.y + 0.5) / finer - 0.5);
+  }
   return found;
+}
+
+std::vector<Eigen::Vector2d> found_corners(const cv::Mat& picture, const Chessboard& board) {
+  for (const double finer : {1.0, 2.0, 3.0}) {
+    auto corners = found_corners(picture, board, finer);
+    if (!corners.empty()) return corners;
+  }
+  return {};
 }
 
 /// Rows run along x and y lies to their left, seen from above; the middle of the board is the origin.

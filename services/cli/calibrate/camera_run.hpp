@@ -10,7 +10,7 @@ struct CameraCalibrationOptions {
   std::string pictures;  ///< folder
   std::string ground;    ///< file that says where the board lay
   std::string output;    ///< folder
-  std::string config;    ///< folder with the camera.toml to start from; empty: the built-in values
+  std::string config{};  ///< folder with the camera.toml to start from; empty: the built-in values
   std::string board = "8x5";
   double square_m = 0.04;
 };

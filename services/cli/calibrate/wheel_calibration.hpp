@@ -12,8 +12,8 @@ namespace tandem::cli {
 struct WheelCalibrationOptions {
   std::string recording;
   std::string output;        ///< folder
-  std::string config;        ///< folder; empty: the built-in values
-  std::string model;         ///< of the robot; empty: as the recording says, or p2at
+  std::string config{};      ///< folder; empty: the built-in values
+  std::string model{};       ///< of the robot; empty: as the recording says, or p2at
   bool hold_wheels = false;  ///< look for the laser alone
   bool json = false;
 };
