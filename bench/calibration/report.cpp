@@ -63,15 +63,19 @@ std::string found_part(const HalvedLog& log) {
 
 void run_calibration_campaign(const CalibrationCampaign& campaign) {
   std::string report = "# Calibration\n" + version_line() + ". Command: `./run bench calibration`.\n";
-  report += "\n## Simulated drives\nSix minutes in a furnished room, wheels off by up to 5 %, the laser by up to 3 cm and "
-            "2 degrees, its clock by up to 50 ms; each wheel errs by 3 mm per root metre, each range by 1 cm, and 2 % of "
-            "the legs begin with a slip of 0.3 m. Each drive's worst number counts.\n\n" +
-            simulated_part(campaign.seeds);
-  report += "\n## Recorded logs\nCalibrated on the first half by odometry and scans alone; judged on the second half by the "
-            "logs' reference poses, fr079's slip windows left out. Medians over all stretches of 5 m of the laser's "
-            "way.\n\n| log | with | stretches | m | deg | m: times better | deg: times better |\n|---|---|---|---|---|---|---|\n";
-  std::string found = "\n| log | left wheel | right wheel | track | laser x | laser y | laser heading | laser clock |\n"
-                      "|---|---|---|---|---|---|---|---|\n";
+  report +=
+      "\n## Simulated drives\nSix minutes in a furnished room, wheels off by up to 5 %, the laser by up to 3 cm and "
+      "2 degrees, its clock by up to 50 ms; each wheel errs by 3 mm per root metre, each range by 1 cm, and 2 % of "
+      "the legs begin with a slip of 0.3 m. Each drive's worst number counts.\n\n" +
+      simulated_part(campaign.seeds);
+  report +=
+      "\n## Recorded logs\nCalibrated on the first half by odometry and scans alone; judged on the second half by the "
+      "logs' reference poses, fr079's slip windows left out. Medians over all stretches of 5 m of the laser's "
+      "way.\n\n| log | with | stretches | m | deg | m: times better | deg: times better "
+      "|\n|---|---|---|---|---|---|---|\n";
+  std::string found =
+      "\n| log | left wheel | right wheel | track | laser x | laser y | laser heading | laser clock |\n"
+      "|---|---|---|---|---|---|---|---|\n";
   for (const char* name : {"intel", "fr079"}) {
     const HalvedLog log = halved_log(name, campaign.data_folder, kWayM);
     report += recorded_part(log);

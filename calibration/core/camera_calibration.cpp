@@ -31,10 +31,11 @@ Eigen::Vector2d middle_of(const CameraModel& model) {
 }
 
 Unknowns unknowns_of(std::span<const BoardView> views, const CameraModel& guess) {
-  Unknowns unknowns{.lens = {guess.focal_px, guess.principal_offset_px.x(), guess.principal_offset_px.y(), guess.radial},
-                    .mount = {guess.position_in_base.x(), guess.position_in_base.y(), guess.position_in_base.z(),
-                              guess.pitch_rad, guess.yaw_rad, guess.roll_rad},
-                    .boards = {}};
+  Unknowns unknowns{
+      .lens = {guess.focal_px, guess.principal_offset_px.x(), guess.principal_offset_px.y(), guess.radial},
+      .mount = {guess.position_in_base.x(), guess.position_in_base.y(), guess.position_in_base.z(), guess.pitch_rad,
+                guess.yaw_rad, guess.roll_rad},
+      .boards = {}};
   for (const BoardView& view : views) {
     if (const auto& laid = view.base_from_board) {
       unknowns.boards.push_back({laid->x, laid->y, laid->heading});
@@ -173,13 +174,15 @@ std::vector<std::string> missing_views(std::span<const BoardView> views, const C
     farthest = std::max(farthest, view.base_from_board->position().norm());
   }
   if (laid < kLeastLaid) {
-    missing.push_back(formatted("lay the board on the ground at %zu places at least: it was found at %zu", kLeastLaid, laid));
+    missing.push_back(
+        formatted("lay the board on the ground at %zu places at least: it was found at %zu", kLeastLaid, laid));
   } else if (farthest < 1.3 * nearest) {
     missing.push_back("lay the board both near and far: the farthest place a third as far again as the nearest");
   }
   if (views.size() - laid < kLeastHeld) {
-    missing.push_back(formatted("hold the board before the camera, tilted, in %zu pictures at least: it was found in %zu",
-                                kLeastHeld, views.size() - laid));
+    missing.push_back(
+        formatted("hold the board before the camera, tilted, in %zu pictures at least: it was found in %zu", kLeastHeld,
+                  views.size() - laid));
   }
   if (!missing.empty() || calibration == nullptr) return missing;
   const auto known = [&](int row, double limit) { return std::sqrt(calibration->covariance(row, row)) < limit; };

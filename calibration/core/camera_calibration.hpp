@@ -32,8 +32,8 @@ using CameraCovariance = Eigen::Matrix<double, kCameraParameters, kCameraParamet
 struct CameraCalibration {
   CameraModel model;
   CameraCovariance covariance = CameraCovariance::Zero();
-  double pixel_px = 0.0;                       ///< spread of the corners about the model, along each axis
-  std::vector<Eigen::Vector2d> residuals_px;   ///< of all corners, view by view: the model minus the picture
+  double pixel_px = 0.0;                      ///< spread of the corners about the model, along each axis
+  std::vector<Eigen::Vector2d> residuals_px;  ///< of all corners, view by view: the model minus the picture
 };
 
 /// The lens and the mount that show all boards where they are. `guess` needs only the picture's size right and the rest

@@ -33,7 +33,8 @@ struct Picture {
 ///
 ///   r = (p(c) - pixel) / deviation
 /// with the corner c in the base by the board's place (x, y, heading), and the picture p of it by the lens (focal,
-/// principal right and down from the middle, radial) and the mount (x, y, z, pitch, yaw, roll), as CameraModel has them.
+/// principal right and down from the middle, radial) and the mount (x, y, z, pitch, yaw, roll), as CameraModel has
+/// them.
 class CornerResidual {
  public:
   CornerResidual(const SeenCorner& corner, const Picture& picture) : corner_(corner), picture_(picture) {}
@@ -67,8 +68,8 @@ class CornerResidual {
   Picture picture_;
 };
 
-/// One corner of a board that somebody holds before the camera, anyhow: as CornerResidual, with the board's place in the
-/// camera (right, down, ahead) as angle-axis and translation.
+/// One corner of a board that somebody holds before the camera, anyhow: as CornerResidual, with the board's place in
+/// the camera (right, down, ahead) as angle-axis and translation.
 class HeldCornerResidual {
  public:
   HeldCornerResidual(const SeenCorner& corner, const Picture& picture) : corner_(corner), picture_(picture) {}

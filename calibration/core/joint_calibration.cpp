@@ -19,9 +19,9 @@
 namespace tandem {
 namespace {
 
-constexpr int kRounds = 8;              ///< The steps are cut anew for the clock found, and the noise measured.
-constexpr double kLoss = 3.0;           ///< Pairs off by more of their deviations count less and less.
-constexpr double kMedianShare = 0.6745; ///< of a normal deviation
+constexpr int kRounds = 8;               ///< The steps are cut anew for the clock found, and the noise measured.
+constexpr double kLoss = 3.0;            ///< Pairs off by more of their deviations count less and less.
+constexpr double kMedianShare = 0.6745;  ///< of a normal deviation
 const Eigen::Vector3d kLeastNoise{2e-4, 2e-4, 1e-4};
 constexpr double kMostClockS = 1.0;
 

@@ -24,18 +24,19 @@ struct CalibrationStart {
 /// How well one pair of scans agrees with the wheels.
 struct PairResidual {
   Time from{};
-  double way_m = 0.0;      ///< between the scans, by them
-  double turn_rad = 0.0;   ///< likewise
-  Eigen::Vector3d before = Eigen::Vector3d::Zero();  ///< ahead [m], to the left [m], turn [rad]: the wheels minus the scans, uncalibrated
-  Eigen::Vector3d after = Eigen::Vector3d::Zero();   ///< calibrated
-  double weight = 1.0;     ///< [0, 1]; near 0: the wheels slipped, or the scans were laid wrongly
+  double way_m = 0.0;     ///< between the scans, by them
+  double turn_rad = 0.0;  ///< likewise
+  Eigen::Vector3d before =
+      Eigen::Vector3d::Zero();  ///< ahead [m], to the left [m], turn [rad]: the wheels minus the scans, uncalibrated
+  Eigen::Vector3d after = Eigen::Vector3d::Zero();  ///< calibrated
+  double weight = 1.0;  ///< [0, 1]; near 0: the wheels slipped, or the scans were laid wrongly
 };
 
 /// What is known afterwards.
 struct JointCalibration {
-  WheelCorrection wheels;        ///< of the recorded odometry: on top of what it was corrected by already
-  Pose2 base_from_laser;         ///< on the true base
-  double laser_clock_s = 0.0;    ///< to add to the laser's stamps, so that they are of the base's clock
+  WheelCorrection wheels;      ///< of the recorded odometry: on top of what it was corrected by already
+  Pose2 base_from_laser;       ///< on the true base
+  double laser_clock_s = 0.0;  ///< to add to the laser's stamps, so that they are of the base's clock
   CalibrationCovariance covariance = CalibrationCovariance::Zero();  ///< zero rows where held
   Eigen::Vector3d spread = Eigen::Vector3d::Zero();  ///< of the residuals after: robust standard deviations
   std::vector<PairResidual> residuals;

@@ -77,17 +77,17 @@ std::vector<std::string> missing_motion(const DrivenMotion& motion, std::span<co
   const double turns = 1.0 / kLeastTurnRad;
   if (hold_wheels) {
     if (motion.left_rad + motion.right_rad < kLeastTurnRad) {
-      missing.push_back(sentence("turn once round at least: it turned %.2f times",
-                                 turns * (motion.left_rad + motion.right_rad)));
+      missing.push_back(
+          sentence("turn once round at least: it turned %.2f times", turns * (motion.left_rad + motion.right_rad)));
     }
   } else {
     if (motion.left_rad < kLeastTurnRad) {
-      missing.push_back(sentence("turn both ways: to the left it turned %.2f times, once is needed",
-                                 turns * motion.left_rad));
+      missing.push_back(
+          sentence("turn both ways: to the left it turned %.2f times, once is needed", turns * motion.left_rad));
     }
     if (motion.right_rad < kLeastTurnRad) {
-      missing.push_back(sentence("turn both ways: to the right it turned %.2f times, once is needed",
-                                 turns * motion.right_rad));
+      missing.push_back(
+          sentence("turn both ways: to the right it turned %.2f times, once is needed", turns * motion.right_rad));
     }
   }
   for (std::size_t i = 0; i < known.size() && missing.empty(); ++i) {

@@ -11,8 +11,8 @@ namespace tandem {
 /// What a recording holds of the motions by which a robot is calibrated, as the scans say.
 struct DrivenMotion {
   std::size_t pairs = 0;
-  double straight_m = 0.0;   ///< driven with hardly a turn
-  double left_rad = 0.0;     ///< turned to the left, all in all
+  double straight_m = 0.0;  ///< driven with hardly a turn
+  double left_rad = 0.0;    ///< turned to the left, all in all
   double right_rad = 0.0;
 };
 [[nodiscard]] DrivenMotion driven_motion(std::span<const MotionPair> pairs);
@@ -22,9 +22,9 @@ struct ParameterKnowledge {
   std::string name;
   std::string unit;
   double value = 0.0;
-  double deviation = 0.0;      ///< standard deviation
-  double limit = 0.0;          ///< A larger deviation makes the number useless.
-  bool held = false;           ///< It was not looked for.
+  double deviation = 0.0;  ///< standard deviation
+  double limit = 0.0;      ///< A larger deviation makes the number useless.
+  bool held = false;       ///< It was not looked for.
 
   [[nodiscard]] bool is_known() const { return held || deviation < limit; }  // not, if it is no number
 };

@@ -23,8 +23,8 @@ struct WheelUse {
   double half_track_m = 0.2;
 };
 
-/// Compares the laser's motion by the wheels with `world_from_laser` (by time, the laser's stamps), over each stretch of
-/// `way_m` that begins at one of these poses; stretches that touch one of `excluded` [s] are left out.
+/// Compares the laser's motion by the wheels with `world_from_laser` (by time, the laser's stamps), over each stretch
+/// of `way_m` that begins at one of these poses; stretches that touch one of `excluded` [s] are left out.
 [[nodiscard]] RelativeErrors relative_errors_of(const OdometryTrack& odometry, const WheelUse& use,
                                                 std::span<const TimedPose> world_from_laser, double way_m,
                                                 const TimeWindows& excluded);

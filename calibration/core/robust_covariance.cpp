@@ -44,8 +44,8 @@ Eigen::MatrixXd robust_covariance(std::span<const WeighedResidual> residuals, do
     const double weight = Weight{residual, loss}.first;
     const Eigen::Index size = residual.value.size();
     // What a block would be off by, had it no say itself.
-    const Eigen::MatrixXd left = Eigen::MatrixXd::Identity(size, size) -
-                                 weight * residual.jacobian * inverse * residual.jacobian.transpose();
+    const Eigen::MatrixXd left =
+        Eigen::MatrixXd::Identity(size, size) - weight * residual.jacobian * inverse * residual.jacobian.transpose();
     const Eigen::VectorXd pull = weight * residual.jacobian.transpose() * left.partialPivLu().solve(residual.value);
     pulls += pull * pull.transpose();
     if (residual.follows_the_last) shared += pull * last.transpose() + last * pull.transpose();

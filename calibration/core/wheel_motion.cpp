@@ -61,12 +61,13 @@ std::optional<Place> place_at(std::span<const OdometrySample> samples, Time time
   const Arc<double> step = steps.arc(i);
   const Arc<double> start = steps.rate_towards(i, i - 1);
   const Arc<double> end = steps.rate_towards(i, i + 1);
-  const Arc<double> way = sum(s * s * (3.0 - 2.0 * s), step, span,
-                              sum(s * (1.0 - s) * (1.0 - s), start, s * s * (s - 1.0), end));
-  const Arc<double> rate = sum(6.0 * s * (1.0 - s) / span, step, 1.0,
-                               sum((1.0 - s) * (1.0 - 3.0 * s), start, s * (3.0 * s - 2.0), end));
+  const Arc<double> way =
+      sum(s * s * (3.0 - 2.0 * s), step, span, sum(s * (1.0 - s) * (1.0 - s), start, s * s * (s - 1.0), end));
+  const Arc<double> rate =
+      sum(6.0 * s * (1.0 - s) / span, step, 1.0, sum((1.0 - s) * (1.0 - 3.0 * s), start, s * (3.0 * s - 2.0), end));
   const Arc<double> chord = chord_of(way);
-  return Place{samples[i].odom_from_base * Pose2{chord.forward_m, chord.left_m, chord.turn_rad}, rate, samples[i].epoch};
+  return Place{samples[i].odom_from_base * Pose2{chord.forward_m, chord.left_m, chord.turn_rad}, rate,
+               samples[i].epoch};
 }
 
 }  // namespace

@@ -17,11 +17,10 @@ void run(const WheelCalibrationOptions& options) {
   bool good = false;
   {
     Progress progress{"calibrate"};
-    const WheelCalibrationResult found =
-        run_wheel_calibration(options, [&](double share, const char* step) {
-          progress.show(share, step);
-          return !stop_requested();
-        });
+    const WheelCalibrationResult found = run_wheel_calibration(options, [&](double share, const char* step) {
+      progress.show(share, step);
+      return !stop_requested();
+    });
     if (stop_requested()) throw Interrupted{};
     result = options.json ? json_of(found) : text_of(found);
     good = found.missing.empty();
@@ -37,8 +36,10 @@ void add_from_recording(CLI::App& calibrate, const char* name, const char* purpo
   CLI::App* command = add_command(calibrate, name, purpose, example);
   command->add_option("RECORDING", options->recording, "Recording with odometry and scans (.mcap)")->required();
   command->add_option("-o,--output", options->output, "Folder for the TOML files and report.html")->required();
-  command->add_option("--config", options->config, "Folder with the base.toml and laser.toml that the robot drove with");
-  command->add_option("--model", options->model, "Model of the robot, where the recording does not say: p2at, p3dx, ...");
+  command->add_option("--config", options->config,
+                      "Folder with the base.toml and laser.toml that the robot drove with");
+  command->add_option("--model", options->model,
+                      "Model of the robot, where the recording does not say: p2at, p3dx, ...");
   command->add_flag("--json", options->json, "Result as JSON");
   command->callback([options] { run(*options); });
 }

@@ -14,7 +14,7 @@ struct CameraConfig {
   double latency_s = 0.05;                                    ///< From the exposure to the picture's arrival here.
   std::int64_t width_px = 320;                                ///< Pictures of another size are scaled to this one.
   std::int64_t height_px = 240;
-  double focal_px = 277.0;  ///< Of pictures of this size.
+  double focal_px = 277.0;          ///< Of pictures of this size.
   double principal_right_px = 0.0;  ///< Where the axis meets the picture, from its middle.
   double principal_down_px = 0.0;
   double radial = 0.0;      ///< How the lens bends lines: a slope r from the axis is seen at r (1 + radial r^2).

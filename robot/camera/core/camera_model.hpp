@@ -19,9 +19,9 @@ struct CameraModel {
   double pitch_rad = from_degrees(20.0);              ///< Downwards from level.
   double yaw_rad = 0.0;                               ///< To the left of straight ahead.
 
-  double roll_rad = 0.0;                              ///< The camera turned clockwise about its axis.
-  Eigen::Vector2d principal_offset_px{0.0, 0.0};      ///< Where the axis meets the picture, from its middle.
-  double radial = 0.0;  ///< A point at slope r from the axis is seen at r (1 + radial r^2).
+  double roll_rad = 0.0;                          ///< The camera turned clockwise about its axis.
+  Eigen::Vector2d principal_offset_px{0.0, 0.0};  ///< Where the axis meets the picture, from its middle.
+  double radial = 0.0;                            ///< A point at slope r from the axis is seen at r (1 + radial r^2).
 
   /// Where the axis meets the picture.
   [[nodiscard]] Eigen::Vector2d principal_px() const {

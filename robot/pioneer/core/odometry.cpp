@@ -36,9 +36,9 @@ const OdometryState& Odometry::take(const Sip& sip, Time stamp) {
   const double left_mps = wheels_.left_wheel_scale * sip.left_velocity * parameters_.mps_per_count;
   const double right_mps = wheels_.right_wheel_scale * sip.right_velocity * parameters_.mps_per_count;
   state_.velocity.forward_mps = 0.5 * (left_mps + right_mps);
-  state_.velocity.turn_rate_radps = sip.turn_rate_x10 ? from_degrees(0.1 * *sip.turn_rate_x10)
-                                                      : 0.5 * (right_mps - left_mps) *
-                                                            parameters_.half_track_per_m / wheels_.track_scale;
+  state_.velocity.turn_rate_radps =
+      sip.turn_rate_x10 ? from_degrees(0.1 * *sip.turn_rate_x10)
+                        : 0.5 * (right_mps - left_mps) * parameters_.half_track_per_m / wheels_.track_scale;
   state_.jumped = false;
   if (reference_) {
     const auto counts_per_turn = static_cast<int>(std::lround(2.0 * std::numbers::pi / parameters_.radians_per_count));

@@ -27,7 +27,8 @@ std::map<std::string, Pose2> places_in(const std::filesystem::path& file) {
     Pose2 place;
     double heading_deg = 0.0;
     if (!(words >> name >> place.x >> place.y >> heading_deg)) {
-      throw std::runtime_error{file.string() + ":" + std::to_string(number) + ": wants picture, x [m], y [m], heading [deg]"};
+      throw std::runtime_error{file.string() + ":" + std::to_string(number) +
+                               ": wants picture, x [m], y [m], heading [deg]"};
     }
     place.heading = from_degrees(heading_deg);
     places[name] = place;

@@ -27,9 +27,10 @@ struct BoardPictures {
 
 /// Finds the board in all pictures (.jpg, .png) of `folder`. `ground_file` names those in which it lies on the ground:
 /// lines of `picture x y heading`, the middle of the board from the robot's [m, m] and the way its rows run [degrees].
-/// `guess` tells the two ways apart in which a board can be seen. Throws std::runtime_error on a folder without pictures,
-/// pictures of different sizes, or a line that is none.
-[[nodiscard]] BoardPictures board_pictures(const std::filesystem::path& folder, const std::filesystem::path& ground_file,
-                                           const Chessboard& board, const CameraModel& guess);
+/// `guess` tells the two ways apart in which a board can be seen. Throws std::runtime_error on a folder without
+/// pictures, pictures of different sizes, or a line that is none.
+[[nodiscard]] BoardPictures board_pictures(const std::filesystem::path& folder,
+                                           const std::filesystem::path& ground_file, const Chessboard& board,
+                                           const CameraModel& guess);
 
 }  // namespace tandem::cli

@@ -64,15 +64,16 @@ std::size_t doubted(const std::vector<PairResidual>& residuals) {
 }  // namespace
 
 std::string calibration_page(const WheelCalibrationResult& result) {
-  std::string body = "<h1>Calibration of wheels and laser</h1>\n<p>" + escaped_html(result.recording) +
-                     ", robot " + escaped_html(result.model) +
+  std::string body = "<h1>Calibration of wheels and laser</h1>\n<p>" + escaped_html(result.recording) + ", robot " +
+                     escaped_html(result.model) +
                      (result.model_is_known ? "" : " (taken for one: nobody named the model)") + "</p>\n";
   if (!result.missing.empty()) {
     body += "<div class=\"bad\"><b>This recording does not calibrate the robot.</b> Record another, and:<ul>\n";
     for (const std::string& missing : result.missing) body += "<li>" + escaped_html(missing) + "</li>\n";
     body += "</ul></div>\n";
   } else {
-    body += "<div class=\"good\"><b>Everything was found.</b> Copy the TOML files beside this page to the robot.</div>\n";
+    body +=
+        "<div class=\"good\"><b>Everything was found.</b> Copy the TOML files beside this page to the robot.</div>\n";
   }
   if (!result.known.empty()) {
     body += "<h2>What was found</h2>\n" + knowledge_table(result.known) +
@@ -82,15 +83,18 @@ std::string calibration_page(const WheelCalibrationResult& result) {
   body += "<h2>What the robot drove</h2>\n" + motion_table(result.motion);
   const auto& residuals = result.calibration.residuals;
   if (!residuals.empty()) {
-    body += "<h2>Wheels against scans</h2>\n<p>Each point is the way from one scan to another, about 0.4 m or 0.4 rad: "
-            "what the wheels say minus what the scans say. Calibrated points lie around zero without a trend. " +
-            std::to_string(doubted(residuals)) + " of " + std::to_string(residuals.size()) +
-            " pairs were doubted and hardly counted: there the wheels slipped, or the scans did not fit.</p>\n" +
-            residual_plot(residuals, 0, 1e3, "ahead [mm]") + residual_plot(residuals, 1, 1e3, "to the left [mm]") +
-            residual_plot(residuals, 2, to_degrees(1.0), "turn [degrees]");
+    body +=
+        "<h2>Wheels against scans</h2>\n<p>Each point is the way from one scan to another, about 0.4 m or 0.4 rad: "
+        "what the wheels say minus what the scans say. Calibrated points lie around zero without a trend. " +
+        std::to_string(doubted(residuals)) + " of " + std::to_string(residuals.size()) +
+        " pairs were doubted and hardly counted: there the wheels slipped, or the scans did not fit.</p>\n" +
+        residual_plot(residuals, 0, 1e3, "ahead [mm]") + residual_plot(residuals, 1, 1e3, "to the left [mm]") +
+        residual_plot(residuals, 2, to_degrees(1.0), "turn [degrees]");
     if (!result.hold_wheels) {
-      body += "<h2>Noise of the wheels</h2>\n<p>For localization.toml: twice what the points above show, as other floors "
-              "are worse.</p>\n" + noise_table(result.noise);
+      body +=
+          "<h2>Noise of the wheels</h2>\n<p>For localization.toml: twice what the points above show, as other floors "
+          "are worse.</p>\n" +
+          noise_table(result.noise);
     }
   }
   return html_page("Calibration", body);

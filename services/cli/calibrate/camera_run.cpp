@@ -71,8 +71,8 @@ std::string page_of(const BoardPictures& pictures, const CameraCalibration* foun
       body += table_row({one.key, page_number(one.value, 4), page_number(one.deviation, 4)}, "td");
     }
     body += "</table>\n<h2>Corners: where the model has them minus where the picture shows them</h2>\n<p>" +
-            page_number(found->pixel_px, 2) + " px along each axis.</p>\n" + residual_plot(*found, 0, "to the right [px]") +
-            residual_plot(*found, 1, "down [px]");
+            page_number(found->pixel_px, 2) + " px along each axis.</p>\n" +
+            residual_plot(*found, 0, "to the right [px]") + residual_plot(*found, 1, "down [px]");
   }
   body += "<h2>Pictures</h2>\n<table>\n";
   for (std::size_t i = 0; i < pictures.files.size(); ++i) {

@@ -52,8 +52,7 @@ Scale scale_of(const std::vector<PlotSeries>& series) {
 void draw_axes(Svg& svg, const Scale& scale, const std::string& x_label) {
   for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
     const double y = share * scale.y_max;
-    svg.line(scale.at(0.0, y), scale.at(scale.x_max, y),
-             share == 0.0 ? R"(stroke="#888")" : R"(stroke="#ddd")");
+    svg.line(scale.at(0.0, y), scale.at(scale.x_max, y), share == 0.0 ? R"(stroke="#888")" : R"(stroke="#ddd")");
     svg.text(scale.at(0.0, y) + Eigen::Vector2d{-8.0, 4.0}, svg_number(y), R"(text-anchor="end" fill="#555")");
   }
   const double step = round_up(scale.x_max / 6.0);

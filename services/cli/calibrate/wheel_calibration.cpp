@@ -111,8 +111,8 @@ std::string text_of(const WheelCalibrationResult& result) {
 std::string json_of(const WheelCalibrationResult& result) {
   nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
   for (const ParameterKnowledge& one : result.known) {
-    parameters[one.name] = {{"value", one.value},       {"deviation", one.deviation}, {"unit", one.unit},
-                            {"limit", one.limit},       {"held", one.held},           {"known", one.is_known()}};
+    parameters[one.name] = {{"value", one.value}, {"deviation", one.deviation}, {"unit", one.unit},
+                            {"limit", one.limit}, {"held", one.held},           {"known", one.is_known()}};
   }
   const nlohmann::ordered_json json{{"recording", result.recording},
                                     {"ok", result.missing.empty()},

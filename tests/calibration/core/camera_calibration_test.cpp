@@ -45,9 +45,9 @@ std::vector<BoardView> views_of(const CameraModel& camera, Rng& rng) {
     base_from_board.translate(Eigen::Vector3d{place.x, place.y, 0.0});
     base_from_board.rotate(Eigen::AngleAxisd{place.heading, Eigen::Vector3d::UnitZ()});
     BoardView view = view_of(camera, base_from_board, rng);
-    view.base_from_board = Pose2{place.x + rng.normal(0.0, kPlacement.position_m),
-                                 place.y + rng.normal(0.0, kPlacement.position_m),
-                                 place.heading + rng.normal(0.0, kPlacement.heading_rad)};
+    view.base_from_board =
+        Pose2{place.x + rng.normal(0.0, kPlacement.position_m), place.y + rng.normal(0.0, kPlacement.position_m),
+              place.heading + rng.normal(0.0, kPlacement.heading_rad)};
     if (!view.corners.empty()) views.push_back(view);
   }
   while (views.size() < 40) {
@@ -77,7 +77,10 @@ CameraModel chance_camera(Rng& rng) {
 }
 
 CameraModel guess() {
-  return {.width_px = 640, .height_px = 480, .focal_px = 550.0, .position_in_base = {0.2, 0.0, 0.65},
+  return {.width_px = 640,
+          .height_px = 480,
+          .focal_px = 550.0,
+          .position_in_base = {0.2, 0.0, 0.65},
           .pitch_rad = from_degrees(27.0)};
 }
 
@@ -134,13 +137,18 @@ TEST(CornerResidual, SeesWhatTheCameraModelSees) {
   const CameraModel camera = chance_camera(rng);
   const std::array<double, 4> lens{camera.focal_px, camera.principal_offset_px.x(), camera.principal_offset_px.y(),
                                    camera.radial};
-  const std::array<double, 6> mount{camera.position_in_base.x(), camera.position_in_base.y(),
-                                    camera.position_in_base.z(), camera.pitch_rad, camera.yaw_rad, camera.roll_rad};
+  const std::array<double, 6> mount{camera.position_in_base.x(),
+                                    camera.position_in_base.y(),
+                                    camera.position_in_base.z(),
+                                    camera.pitch_rad,
+                                    camera.yaw_rad,
+                                    camera.roll_rad};
   const std::array<double, 3> board{1.0, 0.2, 0.0};
   const auto pixel = pixel_of(camera, {1.1, 0.25, 0.0});
   ASSERT_TRUE(pixel);
   Eigen::Vector2d residual;
-  CornerResidual{{{0.1, 0.05}, *pixel}, {{319.5, 239.5}, 1.0}}(lens.data(), mount.data(), board.data(), residual.data());
+  CornerResidual{{{0.1, 0.05}, *pixel}, {{319.5, 239.5}, 1.0}}(lens.data(), mount.data(), board.data(),
+                                                               residual.data());
   EXPECT_LT(residual.norm(), 1e-9);
 }
 

@@ -19,8 +19,8 @@ TEST(JointCalibration, FindsWheelsLaserAndClock) {
   double nees = 0.0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const auto recording = bench::simulated_recording(seed, {});
-    const auto errors = bench::errors_of(
-        calibrated(recording.drive.odometry, pairs_of(recording), recording.start), recording);
+    const auto errors =
+        bench::errors_of(calibrated(recording.drive.odometry, pairs_of(recording), recording.start), recording);
     EXPECT_LT(errors.wheels_share, 0.002) << "seed " << seed;
     EXPECT_LT(errors.laser_m, 0.003) << "seed " << seed;
     EXPECT_LT(errors.laser_deg, 0.1) << "seed " << seed;

@@ -19,7 +19,8 @@ Eigen::Vector3d value_of(const MotionResidual& residual, const std::array<double
 }
 
 WheelMotion straight_metre() {
-  return {.steps = {{0.5, 0.0, 0.0}, {0.5, 0.0, 0.0}}, .rate_at_start = {0.5, 0.0, 0.0}, .rate_at_end = {0.5, 0.0, 0.0}};
+  return {
+      .steps = {{0.5, 0.0, 0.0}, {0.5, 0.0, 0.0}}, .rate_at_start = {0.5, 0.0, 0.0}, .rate_at_end = {0.5, 0.0, 0.0}};
 }
 
 TEST(MotionResidual, IsZeroWhereWheelsAndScansAgree) {

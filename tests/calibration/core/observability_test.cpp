@@ -12,7 +12,8 @@ DrivenMotion plenty() {
 }
 
 TEST(Observability, CountsWhatTheScansSay) {
-  const std::vector<MotionPair> pairs{{.motion = {0.4, 0.0, 0.0}}, {.motion = {0.0, 0.0, 0.5}}, {.motion = {0.3, 0.0, -0.4}}};
+  const std::vector<MotionPair> pairs{
+      {.motion = {0.4, 0.0, 0.0}}, {.motion = {0.0, 0.0, 0.5}}, {.motion = {0.3, 0.0, -0.4}}};
   const DrivenMotion motion = driven_motion(pairs);
   EXPECT_EQ(motion.pairs, 3u);
   EXPECT_DOUBLE_EQ(motion.straight_m, 0.4);  // the others turned

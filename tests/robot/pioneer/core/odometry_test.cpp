@@ -80,8 +80,8 @@ TEST(Odometry, CorrectsTheWheels) {
   odometry.restart(millimetres());
   odometry.take(at(0, 0, 0), kStart);
   EXPECT_NEAR(odometry.take(at(100, 0, 0), kStart + kCycle).odom_from_base.x, 0.102, 1e-9);
-  EXPECT_NEAR(odometry.take(at(100, 0, 64), kStart + 2 * kCycle).odom_from_base.heading, 64 * 2 * std::numbers::pi / 4096,
-              1e-9);
+  EXPECT_NEAR(odometry.take(at(100, 0, 64), kStart + 2 * kCycle).odom_from_base.heading,
+              64 * 2 * std::numbers::pi / 4096, 1e-9);
   Sip sip = at(100, 0, 64);
   sip.left_velocity = sip.right_velocity = 100;
   EXPECT_NEAR(odometry.take(sip, kStart + 3 * kCycle).velocity.forward_mps, 1.02 * 100 * millimetres().mps_per_count,

@@ -81,7 +81,7 @@ TEST(CameraRun, MakesOfPicturesTheFileThatTheCameraReads) {
   Rng rng{4};
   std::ofstream ground{folder / "ground.txt"};
   ground << "# picture x y heading\n";
-  const std::vector<Pose2> places{{0.8, 0.0, 0.0},  {0.9, 0.1, 1.0},   {1.0, -0.15, -0.5}, {1.1, 0.1, 2.0},
+  const std::vector<Pose2> places{{0.8, 0.0, 0.0},  {0.9, 0.1, 1.0},  {1.0, -0.15, -0.5}, {1.1, 0.1, 2.0},
                                   {1.2, -0.2, 3.0}, {0.95, 0.2, 0.3}, {1.25, 0.2, -2.0}};
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::string name = "laid" + std::to_string(i) + ".png";

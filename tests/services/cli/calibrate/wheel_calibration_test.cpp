@@ -47,7 +47,7 @@ TEST(WheelCalibration, MakesOfARecordingTheFilesThatTheServicesRead) {
   std::filesystem::create_directories(folder / "config");
   // The simulated robot counts with half a track of 0.2 m, and drove with wheels corrected by 2 % already.
   std::ofstream{folder / "config" / "base.toml"} << "# ours\nsonar = false\nhalf_track_per_m = 5.0\n"
-                                                     "left_wheel_scale = 1.02\nright_wheel_scale = 1.02\n";
+                                                    "left_wheel_scale = 1.02\nright_wheel_scale = 1.02\n";
   const auto result = run_wheel_calibration({.recording = (folder / "drive.mcap").string(),
                                              .output = (folder / "out").string(),
                                              .config = (folder / "config").string()},
@@ -84,10 +84,8 @@ TEST(WheelCalibration, WritesNoConfigurationFromADriveThatLacksMotion) {
 TEST(WheelCalibration, LeavesTheWheelsAloneWhereOnlyTheLaserIsAskedFor) {
   const test::TemporaryFolder folder;
   write(bench::simulated_recording(3, {}), folder / "drive.mcap");
-  const auto result = run_wheel_calibration({.recording = (folder / "drive.mcap").string(),
-                                             .output = (folder / "out").string(),
-                                             .hold_wheels = true},
-                                            kGoOn);
+  const auto result = run_wheel_calibration(
+      {.recording = (folder / "drive.mcap").string(), .output = (folder / "out").string(), .hold_wheels = true}, kGoOn);
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "laser.toml"));
   EXPECT_FALSE(std::filesystem::exists(folder / "out" / "base.toml"));
   EXPECT_FALSE(result.model_is_known);
