@@ -6,9 +6,9 @@ find_program(FASTDDSGEN fastddsgen REQUIRED)
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(Ceres 2.1 REQUIRED)
 
-# Debian keeps OpenCV's CMake files in libopencv-dev, which pulls in all of its modules; we name the four we use.
+# Debian keeps OpenCV's CMake files in libopencv-dev, which pulls in all of its modules; we name the five we use.
 find_path(OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
-foreach(module core imgproc imgcodecs videoio)
+foreach(module core imgproc imgcodecs videoio calib3d)
   find_library(OPENCV_${module} opencv_${module} REQUIRED)
   add_library(opencv::${module} INTERFACE IMPORTED)
   target_include_directories(opencv::${module} SYSTEM INTERFACE ${OPENCV_INCLUDE})

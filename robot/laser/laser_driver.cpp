@@ -78,7 +78,8 @@ LaserReading LaserDriver::stamped(const scip::ScanData& scan, Time received) {
   if (!device_clock_) device_clock_.emplace(least_delay(sensor, scan.request));
   if (!watch_) watch_.emplace(scip::turn_period_s(sensor) * (scan.request.skip + 1));
   const Time index_mark = device_clock_->mission_time(scan.timestamp_ms, received);
-  LaserReading reading = reading_of(scan, sensor, index_mark, config_.range_max_m);
+  LaserReading reading =
+      reading_of(scan, sensor, index_mark + from_seconds(config_.clock_offset_s), config_.range_max_m);
   watch_->add(reading);
   return reading;
 }

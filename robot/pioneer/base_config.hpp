@@ -14,8 +14,9 @@ struct BaseConfig {
   std::string device = "tcp://127.0.0.1:8101";                        ///< "tcp://HOST:PORT" or "/dev/..."
   std::vector<double> baud_rates{9600, 38400, 19200, 115200, 57600};  ///< tried in turn on a serial port
   bool sonar = true;
-  double metres_per_count = 0.0;  ///< From calibration; 0: as the model's published parameters say.
-  double half_track_per_m = 0.0;  ///< From calibration; 0: likewise.
+  double metres_per_count = 0.0;  ///< 0: as the model's published parameters say.
+  double half_track_per_m = 0.0;  ///< 0: likewise.
+  WheelCorrection wheels;         ///< From calibration: left_wheel_scale, right_wheel_scale, track_scale.
   std::string marker_file;        ///< Exists while the motors may be on: tells a start after a crash. Empty: none.
   pioneer::OdometryNoise odometry;
   safety::GateConfig gate;
@@ -27,6 +28,7 @@ struct BaseConfig {
     visitor.field("sonar", sonar);
     visitor.field("metres_per_count", metres_per_count, Range{0.0, 0.01});
     visitor.field("half_track_per_m", half_track_per_m, Range{0.0, 20.0});
+    wheels.visit_fields(visitor);
     visitor.field("marker_file", marker_file);
     odometry.visit_fields(visitor);
     gate.visit_fields(visitor);

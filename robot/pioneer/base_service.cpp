@@ -39,7 +39,7 @@ BaseService::BaseService(const BaseConfig& config, const SiteConfig& site, bus::
       link_(config, timer),
       gate_(config.gate),
       feed_(bus, site),
-      odometry_(config.odometry, first_epoch(timer.now())),
+      odometry_(config.odometry, first_epoch(timer.now()), config.wheels),
       odometry_writer_(bus.writer(topic::kOdometry)),
       sonar_writer_(bus.writer(topic::kSonar)),
       status_writer_(bus.writer(topic::kBaseStatus)),

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "services/cli/calibrate_command.hpp"
 #include "services/cli/command.hpp"
 #include "services/cli/import_command.hpp"
 #include "services/cli/info_command.hpp"
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
   add_import_command(app);
   add_localize_command(app);
   add_map_command(app);
+  add_calibrate_command(app);
   add_plan_command(app);
   add_secure_command(app);
   add_study_command(app);

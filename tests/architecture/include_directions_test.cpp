@@ -54,7 +54,8 @@ const std::vector<Row>& rows() {
       {"services/simulator/", with(kShell, {"services/simulator/", "robot/pioneer/core/", "robot/laser/core/",
                                             "robot/camera/core/", "gateway/net/", "gateway/protocol/"})},
       {"services/experiment/", with(kCore, {"services/experiment/", "*/core/"})},
-      {"services/cli/", {"services/", "*/core/", "idl/", "gateway/", "calibration/"}},
+      // Calibration writes what the base reads.
+      {"services/cli/", {"services/", "*/core/", "idl/", "gateway/", "calibration/", "robot/pioneer/base_config.hpp"}},
       {"robot/link/", {"robot/link/", "services/common/"}},
       {"robot/safety/core/", {"robot/safety/core/", "services/common/"}},
       {"robot/pioneer/core/", with(kCore, {"robot/pioneer/core/"})},

@@ -13,10 +13,19 @@ Eigen::Matrix3d axes_in_base(const CameraModel& camera) {
   const double cy = std::cos(camera.yaw_rad);
   const double sy = std::sin(camera.yaw_rad);
   Eigen::Matrix3d axes;
-  axes.col(0) << sy, -cy, 0.0;
-  axes.col(1) << -sp * cy, -sp * sy, -cp;
+  const Eigen::Vector3d level{sy, -cy, 0.0};
+  const Eigen::Vector3d down{-sp * cy, -sp * sy, -cp};
+  axes.col(0) = std::cos(camera.roll_rad) * level + std::sin(camera.roll_rad) * down;
+  axes.col(1) = std::cos(camera.roll_rad) * down - std::sin(camera.roll_rad) * level;
   axes.col(2) << cp * cy, cp * sy, -sp;
   return axes;
+}
+
+/// The slope that the lens shows at `seen`.
+Eigen::Vector2d unbent(const Eigen::Vector2d& seen, double radial) {
+  Eigen::Vector2d slope = seen;
+  for (int i = 0; i < 20 && radial != 0.0; ++i) slope = seen / (1.0 + radial * slope.squaredNorm());
+  return slope;
 }
 
 constexpr double kNearest = 1e-3;  ///< [m] along the axis: nothing nearer is seen.
@@ -24,14 +33,15 @@ constexpr double kNearest = 1e-3;  ///< [m] along the axis: nothing nearer is se
 }  // namespace
 
 Eigen::Vector3d ray_in_base(const CameraModel& camera, const Eigen::Vector2d& pixel) {
-  const Eigen::Vector2d offset = (pixel - camera.principal_px()) / camera.focal_px;
+  const Eigen::Vector2d offset = unbent((pixel - camera.principal_px()) / camera.focal_px, camera.radial);
   return axes_in_base(camera) * Eigen::Vector3d{offset.x(), offset.y(), 1.0};
 }
 
 std::optional<Eigen::Vector2d> pixel_of(const CameraModel& camera, const Eigen::Vector3d& point_in_base) {
   const Eigen::Vector3d seen = axes_in_base(camera).transpose() * (point_in_base - camera.position_in_base);
   if (seen.z() < kNearest) return std::nullopt;
-  return camera.principal_px() + camera.focal_px * seen.head<2>() / seen.z();
+  const Eigen::Vector2d slope = seen.head<2>() / seen.z();
+  return camera.principal_px() + camera.focal_px * (1.0 + camera.radial * slope.squaredNorm()) * slope;
 }
 
 bool is_in_picture(const CameraModel& camera, const Eigen::Vector2d& pixel) {

@@ -7,7 +7,7 @@
 
 namespace tandem {
 
-/// A pinhole camera fixed on the robot, its axis level with the base's but pitched down. The lens draws straight lines.
+/// A camera fixed on the robot, pitched down. Its lens may bend straight lines towards or from the picture's middle.
 ///
 /// The base frame lies on the ground: x ahead, y left, z up. A pixel is (u to the right, v down) with (0, 0) the centre
 /// of the picture's first pixel. Defaults: the simulated robot's camera, 60 degrees wide.
@@ -19,8 +19,14 @@ struct CameraModel {
   double pitch_rad = from_degrees(20.0);              ///< Downwards from level.
   double yaw_rad = 0.0;                               ///< To the left of straight ahead.
 
+  double roll_rad = 0.0;                          ///< The camera turned clockwise about its axis.
+  Eigen::Vector2d principal_offset_px{0.0, 0.0};  ///< Where the axis meets the picture, from its middle.
+  double radial = 0.0;                            ///< A point at slope r from the axis is seen at r (1 + radial r^2).
+
   /// Where the axis meets the picture.
-  [[nodiscard]] Eigen::Vector2d principal_px() const { return {(width_px - 1) / 2.0, (height_px - 1) / 2.0}; }
+  [[nodiscard]] Eigen::Vector2d principal_px() const {
+    return Eigen::Vector2d{(width_px - 1) / 2.0, (height_px - 1) / 2.0} + principal_offset_px;
+  }
 };
 
 /// The direction, in the base frame and not of unit length, in which `pixel` looks.

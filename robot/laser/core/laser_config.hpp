@@ -21,6 +21,7 @@ struct LaserConfig {
   double mount_x_m = 0.16;      ///< The laser on the base.
   double mount_y_m = 0.0;
   double mount_heading_rad = 0.0;
+  double clock_offset_s = 0.0;  ///< Added to every stamp, so that scans and wheels are of one time.
 
   [[nodiscard]] Pose2 base_from_laser() const { return {mount_x_m, mount_y_m, mount_heading_rad}; }
 
@@ -37,6 +38,7 @@ struct LaserConfig {
     visitor.field("mount_x_m", mount_x_m, Range{-2.0, 2.0});
     visitor.field("mount_y_m", mount_y_m, Range{-2.0, 2.0});
     visitor.field("mount_heading_rad", mount_heading_rad, Range{-3.15, 3.15});
+    visitor.field("clock_offset_s", clock_offset_s, Range{-0.5, 0.5});
   }
 };
 

@@ -33,11 +33,12 @@ void Odometry::restart(const RobotParameters& parameters) {
 
 const OdometryState& Odometry::take(const Sip& sip, Time stamp) {
   const Reference current{sip.x & (kCounterRange - 1), sip.y & (kCounterRange - 1), sip.heading, stamp};
-  const double left_mps = sip.left_velocity * parameters_.mps_per_count;
-  const double right_mps = sip.right_velocity * parameters_.mps_per_count;
+  const double left_mps = wheels_.left_wheel_scale * sip.left_velocity * parameters_.mps_per_count;
+  const double right_mps = wheels_.right_wheel_scale * sip.right_velocity * parameters_.mps_per_count;
   state_.velocity.forward_mps = 0.5 * (left_mps + right_mps);
-  state_.velocity.turn_rate_radps = sip.turn_rate_x10 ? from_degrees(0.1 * *sip.turn_rate_x10)
-                                                      : 0.5 * (right_mps - left_mps) * parameters_.half_track_per_m;
+  state_.velocity.turn_rate_radps =
+      sip.turn_rate_x10 ? from_degrees(0.1 * *sip.turn_rate_x10)
+                        : 0.5 * (right_mps - left_mps) * parameters_.half_track_per_m / wheels_.track_scale;
   state_.jumped = false;
   if (reference_) {
     const auto counts_per_turn = static_cast<int>(std::lround(2.0 * std::numbers::pi / parameters_.radians_per_count));
@@ -53,7 +54,7 @@ const OdometryState& Odometry::take(const Sip& sip, Time stamp) {
     } else {
       const Pose2 controller_from_last{0.0, 0.0, reference_->heading * parameters_.radians_per_count};
       const Eigen::Vector2d step = inverse(controller_from_last) * Eigen::Vector2d{dx, dy};
-      move({step.x(), step.y(), turn});
+      move(corrected(Pose2{step.x(), step.y(), turn}, 1.0 / parameters_.half_track_per_m, wheels_));
     }
   }
   reference_ = current;

@@ -8,6 +8,7 @@
 #include "services/common/config.hpp"
 #include "services/common/pose2.hpp"
 #include "services/common/time.hpp"
+#include "services/common/wheel_correction.hpp"
 
 namespace tandem::pioneer {
 
@@ -40,7 +41,10 @@ struct OdometryState {
 /// Follows the counters of the controller: x and y wrap at 15 bits, the heading at a turn.
 class Odometry {
  public:
-  Odometry(const OdometryNoise& noise, std::uint32_t first_epoch) : noise_(noise) { state_.epoch = first_epoch; }
+  Odometry(const OdometryNoise& noise, std::uint32_t first_epoch, const WheelCorrection& wheels = {})
+      : noise_(noise), wheels_(wheels) {
+    state_.epoch = first_epoch;
+  }
 
   /// A controller that was just opened counts from anywhere: the pose stays, a new epoch begins unless it is the first,
   /// and the next packet only sets the reference.
@@ -61,6 +65,7 @@ class Odometry {
   void move(const Pose2& step);
 
   OdometryNoise noise_;
+  WheelCorrection wheels_;
   RobotParameters parameters_;
   bool opened_before_ = false;
   std::optional<Reference> reference_;

@@ -23,10 +23,14 @@ class Reading {
       }
     } else if (topic == topic::kScan.name) {
       if (const auto scan = converted<msg::LaserScanPubSubType>(message)) {
+        if (!first_) base_from_laser_ = scan->base_from_laser;
         if (!first_) first_ = scan->time;
         last_ = scan->time;
         log_.add_scan(*scan);
       }
+    } else if (topic == topic::kBaseStatus.name) {
+      const auto status = bus::decode<msg::BaseStatusPubSubType>({message.data.begin(), message.data.end()});
+      if (status && (!robot_ || status->robot() == *robot_)) model_ = status->model();
     }
   }
   void add_damage() { ++damaged_; }
@@ -34,7 +38,9 @@ class Reading {
     return {.drive = log_.take(),
             .duration_s = first_ ? to_seconds(last_ - *first_) : 0.0,
             .odometry = odometry_,
-            .damaged = damaged_};
+            .damaged = damaged_,
+            .base_from_laser = base_from_laser_,
+            .model = model_};
   }
 
  private:
@@ -58,6 +64,8 @@ class Reading {
   std::optional<std::string> robot_;
   std::optional<Time> first_;
   Time last_{};
+  Pose2 base_from_laser_;
+  std::string model_;
   std::size_t odometry_ = 0;
   std::size_t damaged_ = 0;
 };

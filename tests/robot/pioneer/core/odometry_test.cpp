@@ -74,6 +74,20 @@ TEST(Odometry, ScalesByTheModel) {
   EXPECT_NEAR(odometry.take(at(50, 0, 0), kStart + kCycle).odom_from_base.x, 0.066, 1e-9);  // 50 x 1.32 mm
 }
 
+TEST(Odometry, CorrectsTheWheels) {
+  // Both wheels 2 % larger, and the robot turns on a track that is 2 % wider: it turns as the controller says.
+  Odometry odometry{OdometryNoise{}, 1, {.left_wheel_scale = 1.02, .right_wheel_scale = 1.02, .track_scale = 1.02}};
+  odometry.restart(millimetres());
+  odometry.take(at(0, 0, 0), kStart);
+  EXPECT_NEAR(odometry.take(at(100, 0, 0), kStart + kCycle).odom_from_base.x, 0.102, 1e-9);
+  EXPECT_NEAR(odometry.take(at(100, 0, 64), kStart + 2 * kCycle).odom_from_base.heading,
+              64 * 2 * std::numbers::pi / 4096, 1e-9);
+  Sip sip = at(100, 0, 64);
+  sip.left_velocity = sip.right_velocity = 100;
+  EXPECT_NEAR(odometry.take(sip, kStart + 3 * kCycle).velocity.forward_mps, 1.02 * 100 * millimetres().mps_per_count,
+              1e-9);
+}
+
 TEST(Odometry, LeavesOutAnImpossibleStepAndGoesOnFromThere) {
   Odometry odometry = started();
   odometry.take(at(0, 0, 0), kStart);
