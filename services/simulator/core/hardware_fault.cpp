@@ -47,6 +47,7 @@ void FaultyLine::set(HardwareFault fault, Time now) {
   fault_ = fault;
   since_ = now;
   messages_ = 0;
+  was_joined_ = fault != HardwareFault::Off;
   held_.clear();
 }
 
@@ -56,11 +57,13 @@ bool FaultyLine::is_joined(Time now) const {
 }
 
 std::string FaultyLine::pass(std::string bytes, Time now) {
-  if (!is_joined(now)) return {};
+  if (bytes.empty()) return {};
+  const bool was_joined = std::exchange(was_joined_, is_joined(now));
+  if (!was_joined_) return was_joined ? bytes.substr(0, bytes.size() / 2) : std::string{};
   if (fault_ == HardwareFault::Garbage) {
     for (char& byte : bytes) byte = static_cast<char>(rng_.bits() & 0xFF);
   }
-  if (fault_ == HardwareFault::Delayed && !bytes.empty()) {
+  if (fault_ == HardwareFault::Delayed) {
     held_.push_back({now + kDelay, std::move(bytes)});
     return {};
   }

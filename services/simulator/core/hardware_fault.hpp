@@ -20,7 +20,7 @@ enum class HardwareFault {
   Wrong,         ///< Measures what is not so.
   Slow,          ///< Every fourth message alone.
   Delayed,       ///< All that it says arrives 0.4 s late.
-  Intermittent,  ///< A loose plug: 0.7 s joined, 0.7 s not.
+  Intermittent,  ///< A loose plug: 0.7 s joined, 0.7 s not; what it cuts off arrives half.
 };
 
 /// The fault's name, "none", "off", "stuck", ... , and the inverse.
@@ -58,6 +58,7 @@ class FaultyLine {
   HardwareFault fault_ = HardwareFault::None;
   Time since_{};
   std::uint64_t messages_ = 0;
+  bool was_joined_ = true;
   std::deque<Held> held_;
 };
 

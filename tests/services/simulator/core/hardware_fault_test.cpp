@@ -67,9 +67,12 @@ TEST(FaultyLine, AnIntermittentOneIsJoinedHalfOfTheTime) {
   FaultyLine line{1};
   line.set(HardwareFault::Intermittent, at(10.0));
   EXPECT_TRUE(line.hears(at(10.6)));
+  EXPECT_EQ(line.pass("answer", at(10.6)), "answer");
   EXPECT_FALSE(line.hears(at(10.8)));
-  EXPECT_EQ(line.pass("answer", at(10.8)), "");
+  EXPECT_EQ(line.pass("answer", at(10.8)), "ans") << "cut off in the middle";
+  EXPECT_EQ(line.pass("answer", at(10.9)), "");
   EXPECT_TRUE(line.hears(at(11.5)));
+  EXPECT_EQ(line.pass("answer", at(11.5)), "answer");
 }
 
 }  // namespace
