@@ -10,7 +10,7 @@
 int main(int argc, char** argv) try {
   using namespace tandem;
   const ServiceOptions options =
-      parse_service_options(argc, argv, "laser", "Reads a Hokuyo laser (SCIP 2.0) and publishes its scans.");
+      parse_service_options(argc, argv, "laser", "Reads a Hokuyo or SICK laser and publishes its scans.");
   const auto site = load_config<SiteConfig>(options.site_file());
   const auto config = load_config<LaserConfig>(options.config_file());
 

@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "robot/link/device.hpp"
+#include "robot/link/line_rate.hpp"
 
 namespace tandem {
 namespace {
@@ -92,14 +93,16 @@ OpenedLink open_tcp(const std::string& name, const TcpDevice& device, Duration t
   return not_opened(name, why(error));
 }
 
-/// libserialport knows only ports with hardware; a pseudo-terminal needs no more than to be raw.
-OpenedLink open_pseudo_terminal(const std::string& name, const std::string& path) {
+/// libserialport knows only ports with hardware; a pseudo-terminal needs no more than to be raw. Its other end sees the
+/// rate, and a simulated device may mind it.
+OpenedLink open_pseudo_terminal(const std::string& name, const std::string& path, int baud_rate) {
   ByteLink link{::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC), name};
   if (!link.is_open()) return not_opened(name, why(errno));
   termios settings{};
   if (::tcgetattr(link.descriptor(), &settings) != 0) return not_opened(name, why(errno));
   ::cfmakeraw(&settings);
   if (::tcsetattr(link.descriptor(), TCSANOW, &settings) != 0) return not_opened(name, why(errno));
+  link.set_baud_rate(baud_rate);
   return {std::move(link), {}};
 }
 
@@ -190,13 +193,19 @@ bool ByteLink::write(std::string_view text) {
   return write(std::span{reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
+void ByteLink::set_baud_rate(int baud_rate) {
+  if (is_open() && ::isatty(descriptor_) != 0 && !set_line_rate(descriptor_, baud_rate)) {
+    lose("cannot be set to " + std::to_string(baud_rate) + " baud");
+  }
+}
+
 OpenedLink open_byte_link(const std::string& device_name, const LinkOptions& options) {
   const Device device = parse_device(device_name);
   if (const auto* tcp = std::get_if<TcpDevice>(&device)) return open_tcp(device_name, *tcp, options.connect_timeout);
   std::error_code none;
   const std::string path = std::filesystem::canonical(std::get<SerialDevice>(device).path, none).string();
   if (none) return not_opened(device_name, why(none.value()));
-  if (is_pseudo_terminal(path)) return open_pseudo_terminal(device_name, path);
+  if (is_pseudo_terminal(path)) return open_pseudo_terminal(device_name, path, options.baud_rate);
   return open_serial(device_name, path, options.baud_rate);
 }
 

@@ -28,6 +28,9 @@ class ByteLink {
   bool write(std::span<const std::uint8_t> bytes);
   bool write(std::string_view text);
 
+  /// Changes the rate of a serial line once all that was written is out; nothing on a network link.
+  void set_baud_rate(int baud_rate);
+
   [[nodiscard]] bool is_open() const { return descriptor_ >= 0; }
   /// Why the link was lost, with the device's name; empty while it is open.
   [[nodiscard]] const std::string& failure() const { return failure_; }
@@ -44,7 +47,7 @@ class ByteLink {
 };
 
 struct LinkOptions {
-  int baud_rate = 115'200;  ///< 8N1, no handshake; serial ports only; to try another rate, open again.
+  int baud_rate = 115'200;                       ///< 8N1, no handshake; serial ports only.
   Duration connect_timeout = from_seconds(1.0);  ///< TCP only.
 };
 

@@ -58,6 +58,14 @@ std::uint16_t port(std::int64_t value) {
   return static_cast<std::uint16_t>(value);
 }
 
+LaserServerOptions laser_options_of(const SimulatorConfig& config) {
+  return {.address = config.address,
+          .port = port(config.laser_port),
+          .pty = config.laser_pty,
+          .model = config.laser_model,
+          .boot = from_seconds(config.laser_boot_s)};
+}
+
 }  // namespace
 
 SimulatorService::SimulatorService(const SimulatorConfig& config, const SiteConfig& site, bus::Bus& bus, Clock& clock)
@@ -69,9 +77,8 @@ SimulatorService::SimulatorService(const SimulatorConfig& config, const SiteConf
       health_(bus, site, "simulator"),
       next_step_(clock.now() + kStep),
       next_truth_(clock.now()) {
-  if (config.laser_port != 0) {
-    auto sensor = config.laser_model == "urg-04lx" ? scip::urg_04lx() : scip::utm_30lx();
-    laser_.emplace(config.address, port(config.laser_port), std::move(sensor), clock.now());
+  if (config.laser_port != 0 || !config.laser_pty.empty()) {
+    laser_.emplace(laser_options_of(config), clock.now());
   }
   if (config.camera_port != 0) {
     camera_.emplace(config.address, port(config.camera_port), from_seconds(1.0 / config.camera_rate_hz), clock.now());
@@ -79,6 +86,18 @@ SimulatorService::SimulatorService(const SimulatorConfig& config, const SiteConf
   if (simulation_.has_person() && !config.phone_pairing_file.empty()) {
     phone_ = make_phone(config.phone_pairing_file, site.agent);
   }
+  if (config.fault_port != 0) faults_.emplace(config.address, port(config.fault_port), breakables());
+}
+
+std::vector<FaultServer::Breakable> SimulatorService::breakables() {
+  std::vector<FaultServer::Breakable> devices;
+  if (laser_) {
+    devices.push_back({"laser", [this](HardwareFault fault) {
+                         spdlog::info("fault: device=laser fault={}", name_of(fault));
+                         laser_->set_fault(fault, clock_.now());
+                       }});
+  }
+  return devices;
 }
 
 std::string SimulatorService::description() const {
@@ -94,6 +113,7 @@ void SimulatorService::step() {
   base_.receive(simulation_, now);
   if (laser_) laser_->receive(now);
   if (camera_) camera_->receive();
+  if (faults_) faults_->receive();
   if (now < next_step_) return;
   constexpr Duration kTooLate = std::chrono::milliseconds{500};
   if (now - next_step_ > kTooLate) {
@@ -108,6 +128,7 @@ void SimulatorService::wait_for_clients(Time until) {
   base_.add_descriptors(descriptors);
   if (laser_) laser_->add_descriptors(descriptors);
   if (camera_) camera_->add_descriptors(descriptors);
+  if (faults_) faults_->add_descriptors(descriptors);
   std::vector<pollfd> polled;
   polled.reserve(descriptors.size());
   for (const int descriptor : descriptors) polled.push_back({descriptor, POLLIN, 0});

@@ -12,6 +12,7 @@
 #include "services/simulator/phone.hpp"
 #include "services/simulator/wire/base_server.hpp"
 #include "services/simulator/wire/camera_server.hpp"
+#include "services/simulator/wire/fault_server.hpp"
 #include "services/simulator/wire/laser_server.hpp"
 
 namespace tandem::simulator {
@@ -31,6 +32,7 @@ class SimulatorService {
   void wait_for_clients(Time until);
   void advance(Time now);
   void publish(Time now);
+  [[nodiscard]] std::vector<FaultServer::Breakable> breakables();
 
   SiteConfig site_;
   Clock& clock_;
@@ -39,6 +41,7 @@ class SimulatorService {
   BaseServer base_;
   std::optional<LaserServer> laser_;
   std::optional<CameraServer> camera_;
+  std::optional<FaultServer> faults_;
   bus::Writer<msg::GroundTruth, msg::GroundTruthPubSubType> ground_truth_;
   bus::HealthReporter health_;
   Time next_step_;

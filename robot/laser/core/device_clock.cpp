@@ -5,7 +5,6 @@
 namespace tandem {
 namespace {
 
-constexpr std::uint32_t kTimestampMask = 0xFFFFFF;
 constexpr Duration kBucket = from_seconds(1.0);
 constexpr std::size_t kBuckets = 30;
 constexpr std::size_t kBucketsForDrift = 5;  // a line through less says more about jitter than about drift
@@ -13,10 +12,10 @@ constexpr Duration kJump = from_seconds(0.5);
 
 }  // namespace
 
-Time DeviceClock::mission_time(std::uint32_t timestamp_ms, Time received) {
+Time DeviceClock::mission_time(std::uint32_t count, Time received) {
   const Time latest = received - least_delay_;
   Time stamp = latest;
-  const Duration elapsed = std::chrono::milliseconds{(timestamp_ms - last_timestamp_ms_) & kTimestampMask};
+  const Duration elapsed = ((count - last_count_) & format_.most) * format_.tick;
   const bool is_first = !last_received_;
   const bool believed =
       is_first || (elapsed > Duration::zero() && std::chrono::abs((received - *last_received_) - elapsed) < kJump);
@@ -28,7 +27,7 @@ Time DeviceClock::mission_time(std::uint32_t timestamp_ms, Time received) {
     offsets_.clear();
   }
   if (!is_first) stamp = std::max(stamp, last_stamp_ + std::chrono::milliseconds{1});
-  last_timestamp_ms_ = timestamp_ms;
+  last_count_ = count;
   last_received_ = received;
   last_stamp_ = stamp;
   return stamp;

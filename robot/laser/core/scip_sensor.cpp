@@ -60,6 +60,21 @@ SensorParameters urg_04lx() {
           .turns_per_minute = 600};
 }
 
+SensorParameters ust_10lx() {
+  SensorParameters sensor = utm_30lx();
+  sensor.model = "UST-10LX";
+  sensor.range_min_mm = 20;
+  sensor.range_max_mm = 30'000;
+  return sensor;
+}
+
+SensorParameters ust_20lx() {
+  SensorParameters sensor = ust_10lx();
+  sensor.model = "UST-20LX";
+  sensor.range_max_mm = 60'000;
+  return sensor;
+}
+
 std::vector<std::string> parameter_lines(const SensorParameters& sensor) {
   std::vector<std::string> lines{std::string{kModel} + sensor.model};
   for_each_number(sensor, [&lines](std::string_view key, int number) {

@@ -25,6 +25,10 @@ struct SensorParameters {
 /// The URG-04LX: 240 degrees, 10 turns per second, 5.6 m.
 [[nodiscard]] SensorParameters urg_04lx();
 
+/// The UST-10LX and UST-20LX: as the UTM-30LX, over Ethernet; 10 m and 20 m rated, of which they tell more.
+[[nodiscard]] SensorParameters ust_10lx();
+[[nodiscard]] SensorParameters ust_20lx();
+
 /// The data lines of the answer to PP ("KEY:value"), without the ';' and checksum that end them on the wire.
 [[nodiscard]] std::vector<std::string> parameter_lines(const SensorParameters& sensor);
 /// The inverse; none if a key is missing or the numbers make no sense together.

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "services/common/config.hpp"
+#include "services/simulator/core/laser_device.hpp"
 
 namespace tandem::simulator {
 
@@ -24,14 +25,18 @@ struct SimulatorConfig {
   std::int64_t sip_cycle_ms = 100;
   double battery_v = 12.8;
 
-  std::int64_t laser_port = 10940;  ///< SCIP 2.0 over TCP; 0: none.
+  std::int64_t laser_port = 10940;  ///< The laser over TCP; 0: none.
+  std::string laser_pty;            ///< A link to the pseudo terminal of the laser; empty: none.
   std::string laser_model = "utm-30lx";
-  double laser_x_m = 0.16;  ///< On the base, looking ahead.
+  double laser_boot_s = 0.0;  ///< Silent for so long after it gets power.
+  double laser_x_m = 0.16;    ///< On the base, looking ahead.
   double laser_y_m = 0.0;
   double laser_noise_m = 0.01;  ///< Standard deviation of a range.
 
   std::int64_t camera_port = 8090;  ///< MJPEG over HTTP, /stream.mjpeg; 0: none.
   double camera_rate_hz = 5.0;
+
+  std::int64_t fault_port = 0;  ///< Orders to break the hardware, "laser stuck"; 0: none are taken.
 
   double slip_distance_per_root_m = 0.01;  ///< Wheel slip: see SlipModel.
   double slip_turn_per_root_rad = 0.02;
@@ -53,12 +58,15 @@ struct SimulatorConfig {
     visitor.field("sip_cycle_ms", sip_cycle_ms, Range{25, 250});
     visitor.field("battery_v", battery_v, Range{0, 60});
     visitor.field("laser_port", laser_port, Range{0, 65535});
-    visitor.field("laser_model", laser_model, {"utm-30lx", "urg-04lx"});
+    visitor.field("laser_pty", laser_pty);
+    visitor.field("laser_model", laser_model, laser_models());
+    visitor.field("laser_boot_s", laser_boot_s, Range{0, 120});
     visitor.field("laser_x_m", laser_x_m, Range{-2, 2});
     visitor.field("laser_y_m", laser_y_m, Range{-2, 2});
     visitor.field("laser_noise_m", laser_noise_m, Range{0, 1});
     visitor.field("camera_port", camera_port, Range{0, 65535});
     visitor.field("camera_rate_hz", camera_rate_hz, Range{0.1, 20});
+    visitor.field("fault_port", fault_port, Range{0, 65535});
     visitor.field("slip_distance_per_root_m", slip_distance_per_root_m, Range{0, 1});
     visitor.field("slip_turn_per_root_rad", slip_turn_per_root_rad, Range{0, 1});
     visitor.field("slip_turn_per_root_m", slip_turn_per_root_m, Range{0, 1});

@@ -4,7 +4,7 @@ namespace tandem::simulator {
 
 BaseServer::BaseServer(const std::string& address, std::uint16_t port, const std::string& pty_link)
     : listener_(port == 0 ? nullptr : std::make_unique<TcpListener>(address, port, "the base (P2OS)", "base_port")),
-      pty_(pty_link.empty() ? nullptr : std::make_unique<PseudoTerminal>(pty_link)) {}
+      pty_(pty_link.empty() ? nullptr : std::make_unique<PseudoTerminal>(pty_link, "base_pty")) {}
 
 void BaseServer::receive(Simulation& simulation, Time now) {
   if (client_) receive_from(*client_, Host::Tcp, simulation, now);

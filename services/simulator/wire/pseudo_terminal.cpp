@@ -9,21 +9,24 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "services/simulator/wire/line_rate.hpp"
+
 namespace tandem::simulator {
 namespace {
 
-int opened_master() {
+int opened_master(const std::string& config_key) {
   const int descriptor = ::posix_openpt(O_RDWR | O_NOCTTY);
   if (descriptor < 0 || ::grantpt(descriptor) != 0 || ::unlockpt(descriptor) != 0) {
     throw std::runtime_error("cannot open a pseudo terminal: " + std::generic_category().message(errno) +
-                             "; is /dev/pts mounted? An empty base_pty in simulator.toml does without");
+                             "; is /dev/pts mounted? An empty " + config_key + " in simulator.toml does without");
   }
   return descriptor;
 }
 
 }  // namespace
 
-PseudoTerminal::PseudoTerminal(const std::filesystem::path& link) : link_(link), connection_(opened_master()) {
+PseudoTerminal::PseudoTerminal(const std::filesystem::path& link, const std::string& config_key)
+    : link_(link), connection_(opened_master(config_key)) {
   path_ = ::ptsname(connection_.descriptor());
   client_end_ = ::open(path_.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);
   termios settings{};
@@ -36,7 +39,7 @@ PseudoTerminal::PseudoTerminal(const std::filesystem::path& link) : link_(link),
   if (error) {
     ::close(client_end_);
     throw std::runtime_error("cannot make the link " + link_.string() + " to " + path_ + ": " + error.message() +
-                             "; see base_pty in simulator.toml");
+                             "; see " + config_key + " in simulator.toml");
   }
 }
 
@@ -44,6 +47,10 @@ PseudoTerminal::~PseudoTerminal() {
   ::close(client_end_);
   std::error_code error;
   if (std::filesystem::read_symlink(link_, error) == path_) std::filesystem::remove(link_, error);
+}
+
+int PseudoTerminal::line_rate() const {
+  return simulator::line_rate(client_end_);
 }
 
 }  // namespace tandem::simulator

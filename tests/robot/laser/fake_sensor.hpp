@@ -21,6 +21,7 @@ class FakeSensor {
   std::map<std::string, std::string> status = {};  ///< Status instead of 00, by command: {"BM", "01"}.
   std::map<std::string, int> deaf = {};            ///< So many requests of a command are not heard.
   bool in_time_adjust = false;                     ///< QT gives 0E until TM2.
+  std::string state = "Sensor works well.";        ///< As II tells it.
   std::string heard;                               ///< Commands in order, "QT RS VV ...".
 
   /// The answer to `request` bytes.
@@ -52,7 +53,7 @@ class FakeSensor {
     if (request.command == "QT" || request.command == "RS") stream_.reset();
     if (request.command == "VV") reply.data = {"VEND:Fake", "PROD:" + parameters.model, "FIRM:1.0", "SERI:H1"};
     if (request.command == "PP") reply.data = scip::parameter_lines(parameters);
-    if (request.command == "II") reply.data = {"MODL:" + parameters.model, "STAT:Sensor works well."};
+    if (request.command == "II") reply.data = {"MODL:" + parameters.model, "STAT:" + state};
     if (scip::is_stream(request.command)) {
       const auto parsed = scip::parse_scan_request(request, parameters);
       if (const auto* refusal = std::get_if<std::string>(&parsed)) {

@@ -10,6 +10,8 @@
 #include <cstdlib>
 #include <string>
 
+#include "services/simulator/wire/line_rate.hpp"
+
 namespace tandem {
 namespace {
 
@@ -44,6 +46,21 @@ class Listener {
   int descriptor_;
   std::string name_;
 };
+
+TEST(ByteLink, ChangesTheRateOfASerialLine) {
+  const int device = ::posix_openpt(O_RDWR | O_NOCTTY);
+  ::grantpt(device);
+  ::unlockpt(device);
+  OpenedLink opened = open_byte_link(::ptsname(device), {.baud_rate = 9'600});
+  ASSERT_TRUE(opened.link) << opened.failure;
+  EXPECT_EQ(simulator::line_rate(device), 9'600);
+  opened.link->set_baud_rate(38'400);
+  EXPECT_EQ(simulator::line_rate(device), 38'400);
+  opened.link->set_baud_rate(750'000);  // has no name of its own
+  EXPECT_EQ(simulator::line_rate(device), 750'000);
+  EXPECT_TRUE(opened.link->is_open());
+  ::close(device);
+}
 
 TEST(ByteLink, CarriesBytesBothWaysOverTcp) {
   const Listener listener;

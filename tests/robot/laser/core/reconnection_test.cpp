@@ -6,7 +6,7 @@ namespace tandem {
 namespace {
 
 TEST(Reconnection, WaitsLongerAfterEachFailureButNotForEver) {
-  Reconnection reconnection;
+  Reconnection reconnection{{115'200}};
   for (const int milliseconds : {100, 200, 400, 800, 1000, 1000}) {
     reconnection.failed(false);
     EXPECT_EQ(reconnection.delay(), std::chrono::milliseconds{milliseconds});
@@ -17,13 +17,20 @@ TEST(Reconnection, WaitsLongerAfterEachFailureButNotForEver) {
 }
 
 TEST(Reconnection, TriesEveryRateOnASilentPortAndKeepsTheOneThatAnswered) {
-  Reconnection reconnection;
-  for (const int baud_rate : {115'200, 19'200, 57'600, 250'000, 500'000, 750'000, 115'200}) {
+  Reconnection reconnection{{9'600, 38'400, 500'000}};
+  for (const int baud_rate : {9'600, 38'400, 500'000, 9'600}) {
     EXPECT_EQ(reconnection.baud_rate(), baud_rate);
     reconnection.failed(true);
   }
   reconnection.failed(false);
-  EXPECT_EQ(reconnection.baud_rate(), 19'200);
+  EXPECT_EQ(reconnection.baud_rate(), 38'400);
+}
+
+TEST(Reconnection, LooksFirstWhereTheSensorWasSetTo) {
+  Reconnection reconnection{{9'600, 38'400, 500'000}};
+  reconnection.switched_to(500'000);
+  reconnection.failed(false);
+  EXPECT_EQ(reconnection.baud_rate(), 500'000);
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ TEST(ScipSensor, LooksAheadAtItsFrontStepAndTurnsCounterClockwise) {
 TEST(ScipSensor, SaysItsParametersAndIsUnderstood) {
   EXPECT_EQ(parse_parameters(parameter_lines(urg_04lx())), urg_04lx());
   EXPECT_EQ(parse_parameters(parameter_lines(utm_30lx())), utm_30lx());
+  EXPECT_EQ(parse_parameters(parameter_lines(ust_10lx()))->range_max_mm, 30'000);
+  EXPECT_EQ(parse_parameters(parameter_lines(ust_20lx()))->range_max_mm, 60'000);
   EXPECT_EQ(parameter_lines(utm_30lx())[3], "ARES:1440");
 }
 

@@ -11,12 +11,13 @@ constexpr Duration kStep = from_seconds(0.05);
 
 /// A session and a sensor in virtual time, talking without a socket.
 struct Conversation {
-  explicit Conversation(const LaserConfig& config = {}) : session(config, now) {}
+  explicit Conversation(const LaserConfig& config = {}, int baud_rate = 0) : session(config, now, baud_rate) {}
 
   /// One step: `extra` comes first, then the answer to what the session sent last.
   void step(const std::string& extra = "") {
     const std::string bytes = extra + std::exchange(pending, "");
-    const ScipSession::Output output = session.step(bytes_in(bytes), now);
+    const LaserSession::Output output = session.step(bytes_in(bytes), now);
+    if (output.baud_rate) rate = output.baud_rate;
     pending = sensor.answer(output.send);
     scans.insert(scans.end(), output.scans.begin(), output.scans.end());
     now += kStep;
@@ -30,8 +31,9 @@ struct Conversation {
   FakeSensor sensor;
   Time now{};
   ScipSession session;
+  std::optional<int> rate;
   std::string pending;
-  std::vector<scip::ScanData> scans;
+  std::vector<DeviceScan> scans;
 };
 
 TEST(ScipSession, OpensASensorAndReceivesItsScans) {
@@ -44,8 +46,9 @@ TEST(ScipSession, OpensASensorAndReceivesItsScans) {
   talk.step(talk.sensor.scan(200, 2000));
 
   ASSERT_EQ(talk.scans.size(), 2u);
-  EXPECT_EQ(talk.scans[0].ranges_mm, std::vector<std::uint32_t>(361, 1000));
-  EXPECT_EQ(talk.scans[1].timestamp_ms, 200u);
+  EXPECT_EQ(talk.scans[0].reading.ranges_m, std::vector<float>(361, 1.0f));
+  EXPECT_EQ(talk.scans[1].clock, 200u);
+  EXPECT_NEAR(talk.scans[1].period_s, 0.1, 1e-12);  // three of four turns of 25 ms are left out
   EXPECT_EQ(talk.session.damaged(), 0u);
 }
 
@@ -53,7 +56,7 @@ TEST(ScipSession, AsksForTheSensorsWholeFieldUnlessToldOtherwise) {
   Conversation talk;
   ASSERT_TRUE(talk.open());
   talk.step(talk.sensor.scan(0, 1));
-  EXPECT_EQ(talk.scans.at(0).request.last_step, 1080);
+  EXPECT_EQ(talk.scans.at(0).reading.ranges_m.size(), 361u);
 
   LaserConfig part;
   part.first_step = 180;
@@ -62,7 +65,7 @@ TEST(ScipSession, AsksForTheSensorsWholeFieldUnlessToldOtherwise) {
   Conversation narrow{part};
   ASSERT_TRUE(narrow.open());
   narrow.step(narrow.sensor.scan(0, 1));
-  EXPECT_EQ(narrow.scans.at(0).ranges_mm.size(), 721u);
+  EXPECT_EQ(narrow.scans.at(0).reading.ranges_m.size(), 721u);
 }
 
 TEST(ScipSession, SilencesAStreamOfAFormerConnection) {
@@ -174,6 +177,58 @@ TEST(ScipSession, FailsAtAHardwareErrorAndGoesOnAfterOneThatPassed) {
   talk.step(scip::bytes_of(scip::Reply{.echo = echo, .status = "21", .data = {}}));
   EXPECT_EQ(talk.session.state(), ScipSession::State::Failed);
   EXPECT_EQ(talk.session.reason(), "answers 21, it stopped by a hardware error");
+}
+
+TEST(ScipSession, RaisesTheRateOfASerialLineAndThenLeavesItAlone) {
+  LaserConfig config;
+  config.baud_rate = 115'200;
+  Conversation talk{config, 19'200};
+  ASSERT_TRUE(talk.open()) << talk.session.reason();
+  EXPECT_EQ(talk.sensor.heard, "QT VV PP II SS BM MD");
+  EXPECT_EQ(talk.rate, 115'200);
+
+  Conversation again{config, 115'200};
+  ASSERT_TRUE(again.open());
+  EXPECT_EQ(again.sensor.heard, "QT VV PP II BM MD");
+  EXPECT_FALSE(again.rate);
+
+  Conversation refused{config, 19'200};
+  refused.sensor.status = {{"SS", "04"}};
+  EXPECT_FALSE(refused.open());
+  EXPECT_TRUE(refused.session.reason().starts_with("laser.toml: this sensor cannot send at baud_rate"));
+}
+
+TEST(ScipSession, TriesOtherRatesWhenTheSensorIsLostAfterTheReset) {
+  Conversation talk{{}, 115'200};
+  talk.sensor.deaf = {{"VV", 1000}};
+  EXPECT_FALSE(talk.open());
+  EXPECT_FALSE(talk.session.was_answered()) << "RS may have put the line to another rate";
+}
+
+TEST(ScipSession, PassesOnWhatTheSensorSaysOfItself) {
+  Conversation talk;
+  talk.sensor.state = "Sensor is overheated.";
+  ASSERT_TRUE(talk.open());
+  EXPECT_EQ(talk.session.warning(), "the sensor says: Sensor is overheated.");
+}
+
+TEST(ScipSession, RebootsASensorInAnAbnormalState) {
+  for (const auto* command : {"BM", "MD"}) {
+    Conversation talk;
+    talk.sensor.status = {{command, "0L"}};
+    EXPECT_FALSE(talk.open());
+    EXPECT_EQ(talk.session.reason(), "is in an abnormal state (answer 0L): it is rebooted");
+    EXPECT_TRUE(talk.sensor.heard.ends_with("RB RB")) << talk.sensor.heard;
+  }
+}
+
+TEST(ScipSession, SaysThatASensorHasNoIntensities) {
+  LaserConfig config;
+  config.intensities = true;
+  Conversation talk{config};
+  talk.sensor.status = {{"ME", "0E"}};
+  EXPECT_FALSE(talk.open());
+  EXPECT_EQ(talk.session.reason(), "laser.toml: this UTM-30LX gives no intensities");
 }
 
 }  // namespace

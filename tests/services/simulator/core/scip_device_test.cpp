@@ -18,17 +18,17 @@ std::vector<scip::Reply> replies(const std::string& text) {
 struct Ruler {
   std::size_t asked = 0;
   Measure measure() {
-    return [this](std::span<const ScanBeam> beams) {
+    return [this](std::span<const Beam> beams) {
       asked += beams.size();
       std::vector<double> ranges;
-      for (const auto& beam : beams) ranges.push_back(beam.step / 10.0);
+      for (const auto& beam : beams) ranges.push_back(beam.share_of_turn * 1440 / 10.0);
       return ranges;
     };
   }
 };
 
 TEST(ScipDevice, TellsItsParameters) {
-  ScipDevice device{scip::utm_30lx(), Time{}};
+  ScipDevice device{{}, Time{}};
   const auto answers = replies(send(device, "VV\nPP\nII\n"));
   ASSERT_EQ(answers.size(), 3U);
   EXPECT_EQ(answers[0].status, "00");
@@ -37,14 +37,14 @@ TEST(ScipDevice, TellsItsParameters) {
 }
 
 TEST(ScipDevice, TheUrgStartsAtStep44ForThoseWhoTakeZeroForMissing) {
-  ScipDevice device{scip::urg_04lx(), Time{}};
+  ScipDevice device{{.parameters = scip::urg_04lx()}, Time{}};
   const auto answers = replies(send(device, "PP\n"));
   ASSERT_EQ(answers.size(), 1U);
   EXPECT_EQ(scip::parse_parameters(answers[0].data)->first_step, 44);
 }
 
 TEST(ScipDevice, StreamsEveryFourthTurnWithOneBeamForThreeSteps) {
-  ScipDevice device{scip::utm_30lx(), Time{}};
+  ScipDevice device{{}, Time{}};
   EXPECT_EQ(send(device, "MD0000108003300\n"), "MD0000108003300\n00P\n\n");
   Ruler ruler;
   int scans = 0;
@@ -64,7 +64,7 @@ TEST(ScipDevice, StreamsEveryFourthTurnWithOneBeamForThreeSteps) {
 }
 
 TEST(ScipDevice, CountsTheScansThatAreLeftAndThenRests) {
-  ScipDevice device{scip::utm_30lx(), Time{}};
+  ScipDevice device{{}, Time{}};
   (void)send(device, "MS0540054000002\n");
   Ruler ruler;
   EXPECT_EQ(replies(device.end_turn(Time{}, ruler.measure())).at(0).echo, "MS0540054000001");
@@ -73,7 +73,7 @@ TEST(ScipDevice, CountsTheScansThatAreLeftAndThenRests) {
 }
 
 TEST(ScipDevice, GivesASingleScanOnceTheLaserIsOn) {
-  ScipDevice device{scip::utm_30lx(), Time{}};
+  ScipDevice device{{}, Time{}};
   EXPECT_EQ(replies(send(device, "GD0500051001\n")).at(0).status, "10");
   EXPECT_EQ(replies(send(device, "BM\n")).at(0).status, "00");
   EXPECT_EQ(replies(send(device, "BM\n")).at(0).status, "02");
@@ -87,7 +87,7 @@ TEST(ScipDevice, GivesASingleScanOnceTheLaserIsOn) {
 }
 
 TEST(ScipDevice, QuitEndsTheStream) {
-  ScipDevice device{scip::utm_30lx(), Time{}};
+  ScipDevice device{{}, Time{}};
   (void)send(device, "ME0000108001000\n");
   EXPECT_TRUE(device.is_measuring());
   EXPECT_EQ(send(device, "QT\n"), "QT\n00P\n\n");
@@ -95,7 +95,7 @@ TEST(ScipDevice, QuitEndsTheStream) {
 }
 
 TEST(ScipDevice, RefusesStepsItDoesNotHaveAndCommandsItDoesNotKnow) {
-  ScipDevice device{scip::utm_30lx(), Time{}};
+  ScipDevice device{{}, Time{}};
   EXPECT_EQ(replies(send(device, "MD0000108101000\n")).at(0).status, "04");
   EXPECT_EQ(replies(send(device, "ZZ\n")).at(0).status, "0E");
   EXPECT_EQ(replies(send(device, "MD12\n")).at(0).status, "0C");
@@ -103,7 +103,7 @@ TEST(ScipDevice, RefusesStepsItDoesNotHaveAndCommandsItDoesNotKnow) {
 }
 
 TEST(ScipDevice, ItsClockWrapsAfterTwentyFourBits) {
-  ScipDevice device{scip::utm_30lx(), Time{}, 0xFFFFF0};
+  ScipDevice device{{.clock_start_ms = 0xFFFFF0}, Time{}};
   (void)send(device, "MD0540054001000\n");
   Ruler ruler;
   const auto turn = [&](int ms) {
@@ -116,7 +116,7 @@ TEST(ScipDevice, ItsClockWrapsAfterTwentyFourBits) {
 }
 
 TEST(ScipDevice, TellsItsTimeInAdjustModeOnly) {
-  ScipDevice device{scip::utm_30lx(), Time{}};
+  ScipDevice device{{}, Time{}};
   EXPECT_EQ(replies(send(device, "TM1\n")).at(0).status, "04");
   EXPECT_EQ(replies(send(device, "TM0\n")).at(0).status, "00");
   const auto told = replies(send(device, "TM1\n", Time{} + std::chrono::milliseconds{1234}));
@@ -124,6 +124,53 @@ TEST(ScipDevice, TellsItsTimeInAdjustModeOnly) {
   EXPECT_EQ(told[0].data[0].substr(0, 4), scip::timestamp_data(1234));
   EXPECT_EQ(replies(send(device, "MD0000108003300\n")).at(0).status, "10");
   EXPECT_EQ(replies(send(device, "TM2\n")).at(0).status, "00");
+}
+
+TEST(ScipDevice, AnOldOneAnswersWithEUntilItIsToldTheVersion) {
+  ScipDevice device{{.wakes_in_version_1 = true}, Time{}};
+  EXPECT_EQ(send(device, "QT\n"), "QT\nE\n\n");
+  EXPECT_EQ(send(device, "SCIP2.0\n"), "SCIP2.0\n00P\n\n");
+  EXPECT_EQ(send(device, "QT\n"), "QT\n00P\n\n");
+}
+
+TEST(ScipDevice, HearsNothingAtAWrongRate) {
+  ScipDevice device{{.baud_rate = 19'200}, Time{}};
+  device.set_line_rate(115'200);
+  EXPECT_EQ(send(device, "QT\n"), "");
+  device.set_line_rate(19'200);
+  EXPECT_EQ(replies(send(device, "SS115201\n")).at(0).status, "04");
+  EXPECT_EQ(replies(send(device, "SS019200\n")).at(0).status, "03");
+  EXPECT_EQ(replies(send(device, "SS115200\n")).at(0).status, "00");
+  EXPECT_EQ(send(device, "QT\n"), "");
+  device.set_line_rate(115'200);
+  EXPECT_EQ(replies(send(device, "RS\n")).at(0).status, "00");
+  EXPECT_EQ(device.baud_rate(), 19'200) << "RS puts the line back";
+}
+
+TEST(ScipDevice, StreamsNoFasterThanItsLine) {
+  ScipDevice device{urg_04lx_serial(), Time{}};
+  device.set_line_rate(19'200);
+  (void)send(device, "SCIP2.0\nMD0044072501000\n");
+  Ruler ruler;
+  int scans = 0;
+  for (int turn = 0; turn < 100; ++turn) {
+    scans += device.end_turn(Time{} + turn * device.turn_period(), ruler.measure()).empty() ? 0 : 1;
+  }
+  EXPECT_EQ(scans, 9);  // 2.1 kB take 1.1 s, so every twelfth turn of 0.1 s
+}
+
+TEST(ScipDevice, IsMendedByARebootThatIsAskedForTwice) {
+  ScipDevice device{{.status = "0L"}, Time{}};
+  EXPECT_EQ(replies(send(device, "BM\n")).at(0).status, "0L");
+  EXPECT_EQ(replies(send(device, "RB\n")).at(0).status, "01");
+  EXPECT_EQ(replies(send(device, "RB\n", Time{} + std::chrono::seconds{2})).at(0).status, "01") << "too late";
+  EXPECT_EQ(replies(send(device, "RB\n", Time{} + std::chrono::seconds{2})).at(0).status, "00");
+  EXPECT_EQ(replies(send(device, "BM\n")).at(0).status, "00");
+}
+
+TEST(ScipDevice, MayHaveNoIntensities) {
+  ScipDevice device{{.has_intensities = false}, Time{}};
+  EXPECT_EQ(replies(send(device, "ME0000108001000\n")).at(0).status, "0E");
 }
 
 }  // namespace

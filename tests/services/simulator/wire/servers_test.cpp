@@ -3,14 +3,18 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <functional>
 #include <opencv2/imgcodecs.hpp>
 
+#include "robot/laser/core/lms_message.hpp"
+#include "robot/laser/core/scip.hpp"
 #include "robot/pioneer/core/packet.hpp"
 #include "services/simulator/wire/base_server.hpp"
 #include "services/simulator/wire/camera_server.hpp"
+#include "services/simulator/wire/fault_server.hpp"
 #include "services/simulator/wire/laser_server.hpp"
 #include "tests/support/ascii_map.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -46,6 +50,12 @@ class RawClient {
   RawClient& operator=(const RawClient&) = delete;
   ~RawClient() { ::close(descriptor_); }
 
+  void set_rate(speed_t rate) const {
+    termios settings{};
+    ::tcgetattr(descriptor_, &settings);
+    ::cfsetspeed(&settings, rate);
+    ::tcsetattr(descriptor_, TCSANOW, &settings);
+  }
   void send(const std::string& bytes) const {
     EXPECT_EQ(::write(descriptor_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
   }
@@ -164,7 +174,7 @@ TEST(BaseServer, SurvivesGarbage) {
 TEST(LaserServer, AnswersAndStreamsOverTcp) {
   Simulation world = simulation();
   Time now{};
-  LaserServer server{"127.0.0.1", free_port(), scip::utm_30lx(), now};
+  LaserServer server{{.port = free_port()}, now};
   const auto serve = [&] {
     server.receive(now);
     world.step(to_seconds(kStep), now + kStep);
@@ -183,6 +193,69 @@ TEST(LaserServer, AnswersAndStreamsOverTcp) {
   const auto scan = scip::parse_scan(replies[1]);
   ASSERT_TRUE(scan);
   EXPECT_EQ(scan->ranges_mm.at(0), 4840U);  // from 2.16 m to the wall at 7 m
+}
+
+/// Laser server and world; each call is a step.
+struct LaserHouse {
+  Simulation world = simulation();
+  Time now{};
+  LaserServer server;
+  explicit LaserHouse(LaserServerOptions options) : server(std::move(options), now) {}
+  void operator()() {
+    server.receive(now);
+    world.step(to_seconds(kStep), now + kStep);
+    server.step(world, now, kStep);
+    now += kStep;
+  }
+};
+
+TEST(LaserServer, ALaserOnASerialLineMindsItsRate) {
+  const test::TemporaryFolder folder;
+  const auto link = (folder / "laser").string();
+  LaserHouse house{{.pty = link, .model = "lms200"}};
+  const RawClient client{link};
+  const std::string type = lms::bytes_of(lms::kToLaser, lms::Payload{lms::command::kType});
+  client.set_rate(B38400);
+  client.send(type);
+  EXPECT_EQ(client.receive(std::ref(house), contains("LMS200")).find("LMS200"), std::string::npos);
+  client.set_rate(B9600);
+  client.send(type);
+  EXPECT_NE(client.receive(std::ref(house), contains("LMS200")).find("LMS200"), std::string::npos);
+}
+
+TEST(LaserServer, AfterAPowerCutItWakesAsFromTheFactory) {
+  const test::TemporaryFolder folder;
+  const auto link = (folder / "laser").string();
+  LaserHouse house{{.pty = link, .model = "lms200", .boot = std::chrono::milliseconds{500}}};
+  for (int i = 0; i < 30; ++i) house();
+  const RawClient client{link};
+  client.set_rate(B9600);
+  client.send(lms::bytes_of(lms::kToLaser, lms::mode_request(lms::mode::kStream)));
+  client.receive(std::ref(house), length_of(1000));
+  house.server.set_fault(HardwareFault::Off, house.now);
+  client.receive(std::ref(house), [](const std::string&) { return false; });
+  house.server.set_fault(HardwareFault::None, house.now);
+  const std::string text = client.receive(std::ref(house), contains("LMS200"));
+  EXPECT_EQ(static_cast<std::uint8_t>(text.at(4)), lms::command::kPowerOn) << "the first it says";
+  EXPECT_LT(text.size(), 100U) << "it streams no more";
+}
+
+TEST(FaultServer, TakesOrdersAndSaysWhatItDoesNotUnderstand) {
+  std::vector<HardwareFault> set;
+  FaultServer server{"127.0.0.1", free_port(), {{"laser", [&set](HardwareFault fault) { set.push_back(fault); }}}};
+  const RawClient client{server.port()};
+  const auto answer_to = [&](const std::string& order) {
+    client.send(order);
+    return client.receive([&] { server.receive(); }, contains("\n"));
+  };
+  EXPECT_EQ(answer_to("laser stuck\n"), "ok\n");
+  EXPECT_EQ(answer_to("laser none\r\n"), "ok\n");
+  EXPECT_EQ(set, (std::vector<HardwareFault>{HardwareFault::Stuck, HardwareFault::None}));
+  EXPECT_EQ(answer_to("camera off\n"), "no device \"camera\"; there are laser\n");
+  EXPECT_EQ(answer_to("laser broken\n"),
+            "say \"laser FAULT\", one of none, off, stuck, garbage, wrong, slow, delayed, intermittent\n");
+  EXPECT_EQ(answer_to("laser\n").substr(0, 3), "say");
+  EXPECT_EQ(set.size(), 2U);
 }
 
 TEST(CameraServer, StreamsJpegOverHttp) {

@@ -1,4 +1,4 @@
-#include "robot/laser/core/laser_reading.hpp"
+#include "robot/laser/core/scip_reading.hpp"
 
 #include <gtest/gtest.h>
 
