@@ -2,23 +2,9 @@
 
 #include <cmath>
 
-#include "services/common/angle.hpp"
+#include "robot/pioneer/gated_base.hpp"
 
 namespace tandem {
-namespace {
-
-pioneer::SessionConfig session_config(const BaseConfig& config) {
-  const auto rounded = [](double value) { return static_cast<int>(std::lround(value)); };
-  const auto& gate = config.gate;
-  return {.max_speed_mmps = rounded(1000.0 * gate.max_speed_mps),
-          .max_turn_rate_degps = rounded(to_degrees(gate.max_turn_rate_radps)),
-          .acceleration_mmps2 = rounded(1000.0 * gate.acceleration_mps2),
-          .deceleration_mmps2 = rounded(1000.0 * gate.deceleration_mps2),
-          .turn_acceleration_degps2 = rounded(to_degrees(gate.turn_acceleration_radps2)),
-          .sonar = config.sonar};
-}
-
-}  // namespace
 
 BaseLink::BaseLink(const BaseConfig& config, Clock& timer)
     : config_(config), timer_(timer), session_(session_config(config)) {

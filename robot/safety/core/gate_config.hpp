@@ -26,6 +26,8 @@ struct GateConfig {
   double max_reverse_speed_mps = 0.1;   ///< Backwards only by an operator, this fast
   double max_reverse_distance_m = 0.3;  ///< and this far.
 
+  double zone_margin_m = 0.1;  ///< Kept between the hull and a hard zone of the map: the pose is not exact.
+
   double unknown_people_speed_mps = 0.3;  ///< While `people` is older than people_timeout_s,
   double unknown_brakes_speed_mps = 0.3;  ///< and while watchdog or deceleration of the base are not known to be good.
   double max_watchdog_s = 1.0;
@@ -67,6 +69,7 @@ struct GateConfig {
     visitor.field("near_turn_rate_radps", near_turn_rate_radps, Range{0.05, 2.0});
     visitor.field("max_reverse_speed_mps", max_reverse_speed_mps, Range{0.0, 0.1});
     visitor.field("max_reverse_distance_m", max_reverse_distance_m, Range{0.0, 0.3});
+    visitor.field("zone_margin_m", zone_margin_m, Range{0.0, 2.0});
     visitor.field("unknown_people_speed_mps", unknown_people_speed_mps, Range{0.0, 0.3});
     visitor.field("unknown_brakes_speed_mps", unknown_brakes_speed_mps, Range{0.0, 0.3});
     visitor.field("max_watchdog_s", max_watchdog_s, Range{0.1, 10.0});

@@ -154,7 +154,11 @@ BodySpeed PioneerFirmware::drive(double dt_s, Time now) {
   if (!motors_on_) return speed_ = {};
   const bool silent = now - last_packet_ > options_.watchdog;
   // What was told last is only put aside: packets, or the end of the stall, bring it back.
-  const BodySpeed target = silent || is_stalled(now) ? BodySpeed{} : told_;
+  BodySpeed target = silent || is_stalled(now) ? BodySpeed{} : told_;
+  if ((faults_.left_blocked || faults_.right_blocked) && target != BodySpeed{}) {
+    stall(faults_.left_blocked, faults_.right_blocked, now);
+    target = {};
+  }
   speed_.forward_mps =
       ramped(speed_.forward_mps, target.forward_mps, acceleration_mps2_ * dt_s, deceleration_mps2_ * dt_s);
   speed_.turn_rate_radps = ramped(speed_.turn_rate_radps, target.turn_rate_radps, turn_acceleration_radps2_ * dt_s,
@@ -165,31 +169,40 @@ BodySpeed PioneerFirmware::drive(double dt_s, Time now) {
 void PioneerFirmware::settle(const Pose2& wheel_motion, const Moved& moved, Time now) {
   contact_ = moved.contact;
   if (moved.blocked) {
-    stalled_until_ = now + options_.stall_time;
-    speed_ = {};
-    return;
+    stall(true, true, now);
+  } else if (!faults_.encoders_dead) {
+    odom_from_base_ = odom_from_base_ * wheel_motion;
   }
-  odom_from_base_ = odom_from_base_ * wheel_motion;
+}
+
+void PioneerFirmware::stall(bool left, bool right, Time now) {
+  stalled_until_ = now + options_.stall_time;
+  left_stalled_ = left;
+  right_stalled_ = right;
+  speed_ = {};
 }
 
 Bytes PioneerFirmware::report(std::vector<pioneer::SonarEcho> echoes, Time now) {
   next_report_ += options_.sip_cycle;
   if (next_report_ <= now) next_report_ = now + options_.sip_cycle;
   const auto& parameters = options_.parameters;
-  const WheelSpeeds wheels = wheels_of(speed_, half_track_m());
-  const double battery_v = tested_battery_v_.value_or(options_.battery_v);
+  const WheelSpeeds wheels = faults_.encoders_dead ? WheelSpeeds{} : wheels_of(speed_, half_track_m());
+  const Pose2 counted{odom_from_base_.x + faults_.odometry_offset.x, odom_from_base_.y + faults_.odometry_offset.y,
+                      wrap_to_pi(odom_from_base_.heading + faults_.odometry_offset.heading)};
+  const double battery_v = tested_battery_v_.value_or(faults_.battery_v.value_or(options_.battery_v));
   pioneer::Sip sip;
   sip.moving = wheels != WheelSpeeds{};
-  sip.x = counter(odom_from_base_.x, parameters.metres_per_count);
-  sip.y = counter(odom_from_base_.y, parameters.metres_per_count);
-  sip.heading = static_cast<std::int16_t>(std::lround(odom_from_base_.heading / parameters.radians_per_count));
+  sip.x = counter(counted.x, parameters.metres_per_count);
+  sip.y = counter(counted.y, parameters.metres_per_count);
+  sip.heading = static_cast<std::int16_t>(std::lround(counted.heading / parameters.radians_per_count));
   sip.left_velocity = static_cast<std::int16_t>(std::lround(wheels.left_mps / parameters.mps_per_count));
   sip.right_velocity = static_cast<std::int16_t>(std::lround(wheels.right_mps / parameters.mps_per_count));
   sip.battery = static_cast<std::uint8_t>(std::clamp(std::lround(battery_v * 10.0), 0L, 255L));
-  sip.left_stalled = sip.right_stalled = is_stalled(now);
+  sip.left_stalled = is_stalled(now) && left_stalled_;
+  sip.right_stalled = is_stalled(now) && right_stalled_;
   constexpr std::uint8_t kMiddleSegment = 1u << 2;
-  sip.front_bumpers = contact_.front ? kMiddleSegment : 0;
-  sip.rear_bumpers = contact_.rear ? kMiddleSegment : 0;
+  sip.front_bumpers = faults_.front_bumpers | (contact_.front ? kMiddleSegment : std::uint8_t{0});
+  sip.rear_bumpers = faults_.rear_bumpers | (contact_.rear ? kMiddleSegment : std::uint8_t{0});
   sip.control = sip.heading;
   sip.flags = static_cast<std::uint16_t>(
       (motors_on_ ? pioneer::sip_flag::kMotorsEnabled : 0) | (sonar_on_ ? pioneer::sip_flag::kSonarArray1 : 0) |

@@ -24,6 +24,17 @@ struct FirmwareOptions {
   double battery_v = 12.8;
 };
 
+/// What is broken at the wheels and buttons; may be changed at any time.
+struct ControllerFaults {
+  bool left_blocked = false;  ///< The wheel cannot turn: driven, it stalls.
+  bool right_blocked = false;
+  std::uint8_t front_bumpers = 0;  ///< Pressed by something that the world does not know of: bit i is segment i + 1.
+  std::uint8_t rear_bumpers = 0;
+  bool encoders_dead = false;  ///< The wheels turn and nothing is counted.
+  Pose2 odometry_offset;       ///< Added to what is counted.
+  std::optional<double> battery_v;
+};
+
 /// The controller of a Pioneer: bytes of the P2OS protocol in and out, wheel speeds to the body.
 ///
 /// With the quirks that make it dangerous: after a silence, or a stall, it goes on at the last speed it was told, by
@@ -49,6 +60,8 @@ class PioneerFirmware {
   /// Power off and on again: forgets the connection, odometry and every setting.
   void power_cycle(Time now);
 
+  [[nodiscard]] ControllerFaults& faults() { return faults_; }
+
   [[nodiscard]] bool is_open() const { return open_; }
   [[nodiscard]] bool sonar_on() const { return sonar_on_; }
   [[nodiscard]] BodySpeed speed() const { return speed_; }
@@ -61,8 +74,10 @@ class PioneerFirmware {
   [[nodiscard]] pioneer::Bytes config_packet() const;
   void close();
   [[nodiscard]] bool is_stalled(Time now) const { return now < stalled_until_; }
+  void stall(bool left, bool right, Time now);
 
   FirmwareOptions options_;
+  ControllerFaults faults_;
   pioneer::PacketReceiver receiver_;
   int next_sync_ = 0;  ///< The sync the handshake waits for; 3: done, waiting for OPEN.
   bool open_ = false;
@@ -74,6 +89,8 @@ class PioneerFirmware {
   Time last_packet_;
   Time next_report_;
   Time stalled_until_;
+  bool left_stalled_ = false;  ///< in that stall
+  bool right_stalled_ = false;
   Contact contact_;
   Pose2 odom_from_base_;
   double acceleration_mps2_ = 0.3;
