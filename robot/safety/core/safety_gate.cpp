@@ -8,6 +8,7 @@ namespace tandem::safety {
 namespace {
 
 constexpr double kUsualScanAge_s = 0.1;  ///< is part of the reaction time
+constexpr double kTouching_m = 0.05;
 constexpr double kLongestCycle_s = 0.2;  ///< after a longer pause the robot starts from standing
 
 /// `wanted` as far as `step` above `last` allows; towards zero at once, through zero never.
@@ -61,6 +62,13 @@ Motion SafetyGate::without_reverse(Motion wanted) const {
   return wanted;
 }
 
+Motion SafetyGate::away_from_contact(Motion wanted, const BaseInput& base) const {
+  if (stops_.excused().none()) return wanted;
+  const double most = config_.max_reverse_speed_mps;
+  return {std::clamp(wanted.forward_mps, base.rear_bumpers != 0 ? 0.0 : -most, base.front_bumpers != 0 ? 0.0 : most),
+          0.0};
+}
+
 Motion SafetyGate::ramped(const Motion& wanted, double limit_mps, bool motors_enabled, Time now) const {
   const double elapsed_s = to_seconds(now - last_time_);
   const bool continuous = motors_enabled && elapsed_s >= 0.0 && elapsed_s <= kLongestCycle_s;
@@ -83,7 +91,9 @@ PathLimit SafetyGate::limited_by_way(const GateInput& input, const Motion& candi
   const double told = input.base.deceleration_mps2;
   const double deceleration = told > 0.0 ? std::min(config_.deceleration_mps2, told) : config_.deceleration_mps2 / 2.0;
   const double late_s = std::max(0.0, scans_.age_s(now) - kUsualScanAge_s);
-  PathLimit limit = limited_by_surroundings(config_, hull_, deceleration, late_s, candidate, scans_.points_in_base());
+  // What a bumper touches lies at the hull: an operator who backs out of it is not stopped by that.
+  const Hull hull = stops_.excused().none() ? hull_ : hull_.grown(-kTouching_m);
+  PathLimit limit = limited_by_surroundings(config_, hull, deceleration, late_s, candidate, scans_.points_in_base());
   causes.set(index_of(Cause::ObstacleAhead), limit.limited_to_zero);
   // An operator may drive without a pose, and then nobody knows where the zones are.
   if (zones_.empty() || !has_pose(input.pose) || input.pose.lost || input.other_map) return limit;
@@ -97,13 +107,13 @@ GateDecision SafetyGate::step(const GateInput& input, Time now) {
   GateDecision decision;
   trail_.take(input.base.odom_from_base, input.base.odometry_epoch, now);
   Causes causes = causes_of(input, now);
-  stops_.step(causes, now);
+  stops_.step(causes, now, is_operated() ? Causes{}.set(index_of(Cause::Bumper)) : Causes{});
   decision.wanted = commands_.wanted(now);
   decision.speed_limit_mps = stops_.may_move(now) ? speed_limit_mps(config_, hull_, input.people, input.base) : 0.0;
 
   if (stops_.may_move(now)) {
-    const Motion candidate =
-        ramped(without_reverse(decision.wanted), decision.speed_limit_mps, input.base.motors_enabled, now);
+    const Motion candidate = ramped(away_from_contact(without_reverse(decision.wanted), input.base),
+                                    decision.speed_limit_mps, input.base.motors_enabled, now);
     decision.motion = limited_by_way(input, candidate, now, causes).motion;
   }
   static const Causes kLimits = causes_with(Resume::AtOnce);

@@ -79,6 +79,7 @@ class SafetyGate {
   [[nodiscard]] Causes causes_of(const GateInput& input, Time now);
   [[nodiscard]] Motion ramped(const Motion& wanted, double limit_mps, bool motors_enabled, Time now) const;
   [[nodiscard]] Motion without_reverse(Motion wanted) const;
+  [[nodiscard]] Motion away_from_contact(Motion wanted, const BaseInput& base) const;
   [[nodiscard]] bool is_operated() const { return commands_.kind() == CommanderKind::Operator; }
   [[nodiscard]] bool has_pose(const PoseInput& pose) const;
   [[nodiscard]] PathLimit limited_by_way(const GateInput& input, const Motion& candidate, Time now,

@@ -193,6 +193,17 @@ TEST(BaseFaults, B8EncodersThatCountNothingStopTheWheels) {
                                    [](auto& r) { r.faults().encoders_dead = false; }, Cause::EncoderDead, 1.2});
 }
 
+TEST(BaseFaults, B8AControllerThatRepeatsItsLastReportStopsTheWheels) {
+  expect_to_stop_and_to_come_back({[](auto& r) {
+                                     r.spoil_bytes = [last = pioneer::Bytes{}](pioneer::Bytes bytes) mutable {
+                                       if (last.empty()) last = bytes;
+                                       return bytes.empty() ? bytes : last;
+                                     };
+                                   },
+                                   [](auto& r) { r.spoil_bytes = [](pioneer::Bytes bytes) { return bytes; }; },
+                                   Cause::EncoderDead, 1.2});
+}
+
 TEST(BaseFaults, B8AJumpOfTheOdometryStopsTheWheels) {
   expect_to_stop_and_to_come_back(
       {[](auto& r) { r.faults().odometry_offset.x += 0.8; }, [](auto&) {}, Cause::OdometryJump, 0.2});

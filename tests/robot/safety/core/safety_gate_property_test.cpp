@@ -92,10 +92,14 @@ TEST(SafetyGateProperty, NoInputEverExceedsALimit) {
       if (world.input.base.watchdog_s > 1.0) {
         ASSERT_LE(std::abs(forward), 0.3 + 1e-9);
       }
-      const bool contact = world.input.base.estop_pressed || world.input.base.front_bumpers != 0 ||
-                           world.input.base.left_stalled || !world.input.base.connected;
+      const bool contact =
+          world.input.base.estop_pressed || world.input.base.left_stalled || !world.input.base.connected;
       if (contact || decision.latched) {
         ASSERT_EQ(decision.motion, Motion{});
+      }
+      if (world.input.base.front_bumpers != 0) {  // B5: an operator who resumed may back out
+        ASSERT_EQ(turn, 0.0);
+        ASSERT_LE(forward, 0.0);
       }
       if (decision.motion != Motion{}) ++moving;
       last_forward = forward;
