@@ -22,6 +22,7 @@ Time plausible_stamp(Time stamp, Time received) {
 GateFeed::GateFeed(bus::Bus& bus, const SiteConfig& site, std::string map_sha256)
     : robot_(site.robot),
       host_(site.host),
+      may_go_on_(site.on_link_loss != "stop"),
       commands_(bus.in_order(topic::kVelocityCommand, kMostCommands)),
       stops_(bus, topic::kStopRequest, "base"),
       resumes_(bus, topic::kResumeRequest, "base"),
@@ -82,6 +83,7 @@ void GateFeed::complete(safety::GateInput& input, Time now) {
     const Time heard = link.received - from_seconds(link.message.heard_age_s());
     if (!link_heard_ || heard > *link_heard_) link_heard_ = heard;
   }
+  input.link.may_go_on = may_go_on_;
   input.link.silent_s.reset();
   if (link_heard_) input.link.silent_s = to_seconds(now - *link_heard_);
 }

@@ -32,6 +32,7 @@ class GateFeed {
 
   std::string robot_;
   std::string host_;
+  bool may_go_on_;
   bus::InOrder<msg::VelocityCommand, msg::VelocityCommandPubSubType> commands_;
   bus::EventReceiver<msg::StopRequest, msg::StopRequestPubSubType> stops_;
   bus::EventReceiver<msg::ResumeRequest, msg::ResumeRequestPubSubType> resumes_;

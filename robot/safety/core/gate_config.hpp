@@ -37,10 +37,13 @@ struct GateConfig {
   double pose_timeout_s = 0.5;
   double people_timeout_s = 0.5;
   double link_timeout_s = 1.5;
-  double link_latch_s = 10.0;      ///< A link gone for longer needs a deliberate resume.
-  double max_invalid_share = 0.3;  ///< Of the beams of a scan; raise it where most of a place is out of range.
-  bool require_link = true;        ///< Off where nobody but an operator at the robot commands it.
-  bool require_pose = true;        ///< Of commanders other than teleop.
+  double link_latch_s = 10.0;  ///< A link gone for longer needs a deliberate resume.
+  double last_leg_m = 10.0;    ///< Where the site's on_link_loss lets the robot go on without a link: at most so far,
+  double last_leg_s = 60.0;    ///< so long
+  double last_leg_speed_mps = 0.3;  ///< and so fast.
+  double max_invalid_share = 0.3;   ///< Of the beams of a scan; raise it where most of a place is out of range.
+  bool require_link = true;         ///< Off where nobody but an operator at the robot commands it.
+  bool require_pose = true;         ///< Of commanders other than teleop.
 
   double healthy_s = 3.0;      ///< How long every cause must be gone before motion resumes by itself,
   double warning_s = 2.0;      ///< and how long people are warned then, also after a resume.
@@ -79,6 +82,9 @@ struct GateConfig {
     visitor.field("people_timeout_s", people_timeout_s, Range{0.1, 2.0});
     visitor.field("link_timeout_s", link_timeout_s, Range{0.2, 10.0});
     visitor.field("link_latch_s", link_latch_s, Range{0.2, 100.0});
+    visitor.field("last_leg_m", last_leg_m, Range{0.0, 50.0});
+    visitor.field("last_leg_s", last_leg_s, Range{0.0, 300.0});
+    visitor.field("last_leg_speed_mps", last_leg_speed_mps, Range{0.0, 0.3});
     visitor.field("max_invalid_share", max_invalid_share, Range{0.05, 0.99});
     visitor.field("require_link", require_link);
     visitor.field("require_pose", require_pose);

@@ -26,6 +26,7 @@ SafetyGate::SafetyGate(const GateConfig& config, std::vector<HardZone> zones)
       commands_(config_),
       scans_(config_),
       motion_(config_),
+      link_(config_),
       stops_(config_) {}
 
 Causes SafetyGate::causes_of(const GateInput& input, Time now) {
@@ -41,13 +42,7 @@ Causes SafetyGate::causes_of(const GateInput& input, Time now) {
     causes.set(index_of(Cause::OtherMap), !zones_.empty() && input.other_map);
   }
   causes.set(index_of(Cause::TwoBases), input.other_base);
-  if (config_.require_link) {
-    const auto& silent_s = input.link.silent_s;
-    const bool up = silent_s && *silent_s <= config_.link_timeout_s;
-    link_was_up_ = link_was_up_ || up;
-    causes.set(index_of(Cause::LinkLost), !up);
-    causes.set(index_of(Cause::LinkLongLost), link_was_up_ && !(silent_s && *silent_s <= config_.link_latch_s));
-  }
+  causes |= link_.step(input.link, input.base.odom_from_base, now);
   return causes;
 }
 
@@ -110,6 +105,7 @@ GateDecision SafetyGate::step(const GateInput& input, Time now) {
   stops_.step(causes, now, is_operated() ? Causes{}.set(index_of(Cause::Bumper)) : Causes{});
   decision.wanted = commands_.wanted(now);
   decision.speed_limit_mps = stops_.may_move(now) ? speed_limit_mps(config_, hull_, input.people, input.base) : 0.0;
+  if (link_.is_on_last_leg()) decision.speed_limit_mps = std::min(decision.speed_limit_mps, config_.last_leg_speed_mps);
 
   if (stops_.may_move(now)) {
     const Motion candidate = ramped(away_from_contact(without_reverse(decision.wanted), input.base),

@@ -7,6 +7,7 @@
 #include "robot/safety/core/command_monitor.hpp"
 #include "robot/safety/core/gate_config.hpp"
 #include "robot/safety/core/hard_zones.hpp"
+#include "robot/safety/core/link_monitor.hpp"
 #include "robot/safety/core/motion_monitor.hpp"
 #include "robot/safety/core/odometry_trail.hpp"
 #include "robot/safety/core/scan_monitor.hpp"
@@ -22,11 +23,6 @@ struct PoseInput {
   bool lost = false;
   Pose2 map_from_base{};  ///< at `stamp`
   Time stamp{};
-};
-
-/// What the relay says of the link to the operator.
-struct LinkInput {
-  std::optional<double> silent_s;  ///< since the other side was heard; none if it never was
 };
 
 /// Everything the gate looks at in one cycle, besides the commands and scans it was given.
@@ -91,10 +87,10 @@ class SafetyGate {
   CommandMonitor commands_;
   ScanMonitor scans_;
   MotionMonitor motion_;
+  LinkMonitor link_;
   StopState stops_;
   OdometryTrail trail_;
   Causes requested_;  ///< momentary causes, until the next cycle
-  bool link_was_up_ = false;
   Motion last_;
   Time last_time_{};
 };
