@@ -29,6 +29,7 @@ GatedBase::GatedBase(const BaseConfig& config, std::vector<safety::HardZone> zon
 void GatedBase::take(const pioneer::SessionEvent& event) {
   if (const auto* identified = std::get_if<pioneer::Identified>(&event)) take_identity(identified->identity);
   if (const auto* status = std::get_if<pioneer::StatusReceived>(&event)) take_status(*status);
+  if (const auto* gyro = std::get_if<pioneer::GyroReceived>(&event)) odometry_.take(gyro->readings);
   if (const auto* configured = std::get_if<pioneer::Configured>(&event)) {
     input_.base.watchdog_s = configured->config.watchdog_ms / 1000.0;
     input_.base.deceleration_mps2 = configured->config.deceleration / 1000.0;

@@ -96,8 +96,10 @@ void Session::take_packet(const Packet& packet, Time now) {
       if (const auto sip = decode_sip(packet)) take_status(*sip, packet, now);
       if (const auto config = decode_config(packet)) {
         configured_ = true;
+        if (config->has_gyro == 1) send(command(Command::Gyro, 1));
         events_.push_back(Configured{*config});
       }
+      if (auto readings = decode_gyro(packet)) events_.push_back(GyroReceived{std::move(*readings)});
       return;
     case State::Closed:
     case State::Draining:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "robot/pioneer/core/config_packet.hpp"
+#include "robot/pioneer/core/extra_packets.hpp"
 #include "robot/pioneer/core/packet.hpp"
 #include "robot/pioneer/core/sip.hpp"
 #include "services/common/time.hpp"
@@ -35,6 +36,10 @@ struct StatusReceived {
   Sip sip;
   Time first_byte{};
 };
+/// Readings of the gyro came.
+struct GyroReceived {
+  std::vector<GyroReading> readings;
+};
 /// The controller was there and is no more.
 struct Lost {
   std::string why;
@@ -47,7 +52,7 @@ struct GaveUp {
 struct Gap {
   Duration silent{};
 };
-using SessionEvent = std::variant<Identified, Configured, StatusReceived, Lost, GaveUp, Gap>;
+using SessionEvent = std::variant<Identified, Configured, StatusReceived, GyroReceived, Lost, GaveUp, Gap>;
 
 /// The dialogue with a Pioneer's controller: bytes and time in, bytes and events out.
 ///

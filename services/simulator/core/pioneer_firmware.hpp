@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "robot/pioneer/core/packet.hpp"
 #include "robot/pioneer/core/robot_parameters.hpp"
@@ -22,6 +23,9 @@ struct FirmwareOptions {
   Duration sip_cycle = std::chrono::milliseconds{100};
   Duration stall_time = std::chrono::milliseconds{500};  ///< The motors rest so long after a stall.
   double battery_v = 12.8;
+  bool extended_sips = false;  ///< With what newer robots append to the standard packet.
+  bool has_gyro = false;
+  std::uint8_t kinematics_delay_ms = 0;
 };
 
 /// What is broken at the wheels and buttons; may be changed at any time.
@@ -33,6 +37,7 @@ struct ControllerFaults {
   bool encoders_dead = false;  ///< The wheels turn and nothing is counted.
   Pose2 odometry_offset;       ///< Added to what is counted.
   std::optional<double> battery_v;
+  std::uint8_t digital_in = 0;
 };
 
 /// The controller of a Pioneer: bytes of the P2OS protocol in and out, wheel speeds to the body.
@@ -72,6 +77,13 @@ class PioneerFirmware {
   [[nodiscard]] pioneer::Bytes synchronize(const pioneer::Packet& packet, Time now);
   [[nodiscard]] pioneer::Bytes obey(const pioneer::HostCommand& command);
   [[nodiscard]] pioneer::Bytes config_packet() const;
+  [[nodiscard]] pioneer::Bytes encoder_packet() const;
+  [[nodiscard]] pioneer::Bytes io_packet() const;
+  [[nodiscard]] pioneer::Bytes gyro_packet() const;
+  /// Begins or ends a stream, as the argument of its command says; what is to be sent at once.
+  [[nodiscard]] pioneer::Bytes start(bool& stream, int value, const pioneer::Bytes& one) const;
+  void forget_goals();
+  void steer_to_goals();
   void close();
   [[nodiscard]] bool is_stalled(Time now) const { return now < stalled_until_; }
   void stall(bool left, bool right, Time now);
@@ -84,8 +96,17 @@ class PioneerFirmware {
   bool motors_on_ = false;
   bool stop_pressed_ = false;
   bool sonar_on_ = true;
-  BodySpeed told_;   ///< The last speed the host asked for: it outlives the watchdog and a stall.
-  BodySpeed speed_;  ///< What the wheels do.
+  BodySpeed told_;                     ///< The last speed the host asked for: it outlives the watchdog and a stall.
+  BodySpeed speed_;                    ///< What the wheels do.
+  std::optional<double> way_to_go_m_;  ///< of MOVE
+  std::optional<double> heading_setpoint_;  ///< of HEAD and its kin
+  bool encoder_stream_ = false;
+  bool io_stream_ = false;
+  bool gyro_on_ = false;
+  double left_way_m_ = 0.0;
+  double right_way_m_ = 0.0;
+  std::uint8_t digital_out_ = 0;
+  std::uint8_t analog_port_ = 0;
   Time last_packet_;
   Time next_report_;
   Time stalled_until_;

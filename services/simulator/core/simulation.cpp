@@ -42,6 +42,7 @@ Simulation::Simulation(SimulationOptions options, Place place, const Scene& scen
       body_(options_.hull, options_.slip, scene.robot_start, Rng{options_.seed + 3}),
       map_from_base_before_(scene.robot_start),
       firmware_(options_.firmware, now),
+      base_line_(options_.seed + 5),
       camera_(options_.camera),
       ground_(place_.largest_ground(kRobotRoom_m)),
       person_(std::move(person)),
@@ -103,7 +104,21 @@ std::optional<Eigen::Vector2d> Simulation::token_in_sight() const {
   return std::nullopt;
 }
 
+void Simulation::set_base_fault(HardwareFault fault, Time now) {
+  if (fault == HardwareFault::Off) firmware_.power_cycle(now);
+  base_line_.set_fault(fault, now);
+}
+
+pioneer::Bytes Simulation::base_receive(std::span<const std::uint8_t> bytes, Time now) {
+  return base_line_.to_host(firmware_.receive(base_line_.to_controller(bytes, now), now), now);
+}
+
 pioneer::Bytes Simulation::base_report(Time now) {
+  const bool due = firmware_.is_report_due(now);
+  return base_line_.to_host(due ? firmware_.report(fire_sonars(), now) : pioneer::Bytes{}, now);
+}
+
+std::vector<pioneer::SonarEcho> Simulation::fire_sonars() {
   std::vector<pioneer::SonarEcho> echoes;
   constexpr int kSonarsPerReport = 4;
   constexpr double kNoEcho_m = 5.0;
@@ -119,7 +134,7 @@ pioneer::Bytes Simulation::base_report(Time now) {
     echoes.push_back({static_cast<std::uint8_t>(next_sonar_), static_cast<std::uint16_t>(std::lround(counts))});
     next_sonar_ = (next_sonar_ + 1) % kSonars.size();
   }
-  return firmware_.report(std::move(echoes), now);
+  return echoes;
 }
 
 std::vector<double> Simulation::scan(std::span<const Beam> beams) {

@@ -65,6 +65,7 @@ class SimulatedBase {
   /// Time until the controller brakes [s]: its wheels lose speed by more than noise.
   double time_to_braking() {
     const double cruise = wheel_mps();
+    if (cruise == 0.0) return 0.0;
     return time_until([&] { return wheel_mps() < cruise - 0.005; });
   }
   double time_to_standstill() {
@@ -75,7 +76,7 @@ class SimulatedBase {
     now += kStep;
     ++steps_;
     world.step(to_seconds(kStep), now);
-    if (world.firmware().is_report_due(now)) to_host(world.base_report(now));
+    if (const auto report = world.base_report(now); !report.empty()) to_host(report);
     if (hosted) exchange();
     if (hosted && (steps_ % 2 == 0 || base.is_urgent())) cycle();
     way_m += wheel_mps() * to_seconds(kStep);
@@ -164,10 +165,11 @@ class SimulatedBase {
   }
   void exchange() {
     const pioneer::Bytes bytes = session.take_output();
-    if (plugged && !bytes.empty()) to_host(firmware().receive(bytes, now));
+    if (plugged && !bytes.empty()) to_host(world.base_receive(bytes, now));
     for (const auto& event : session.take_events()) {
       base.take(event);
       events.push_back(event);
+      if (std::holds_alternative<pioneer::GaveUp>(event)) session.link_opened(now);  // as the shell does, in a while
     }
   }
   void cycle() {
