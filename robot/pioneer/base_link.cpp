@@ -16,6 +16,12 @@ std::string BaseLink::device_name() const {
   return config_.device + " at " + std::to_string(std::lround(config_.baud_rates[baud_])) + " baud";
 }
 
+Duration BaseLink::transmission_time(std::size_t bytes) const {
+  constexpr double kBitsPerByte = 10.0;  // with start and stop
+  if (config_.device.starts_with("tcp:")) return Duration::zero();
+  return from_seconds(static_cast<double>(bytes) * kBitsPerByte / config_.baud_rates[baud_]);
+}
+
 void BaseLink::open() {
   const LinkOptions options{.baud_rate = static_cast<int>(config_.baud_rates[baud_]),
                             .connect_timeout = from_seconds(0.5)};

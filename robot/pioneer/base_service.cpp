@@ -100,7 +100,8 @@ void BaseService::log_event(const pioneer::SessionEvent& event) {
 }
 
 void BaseService::publish_motion(const pioneer::StatusReceived& status) {
-  const Time measured = mission_.now() - (timer_.now() - status.first_byte) - base_.kinematics_delay();
+  const Time measured = mission_.now() - (timer_.now() - status.first_byte) - base_.kinematics_delay() -
+                        link_.transmission_time(status.bytes);
   const auto& odometry = base_.odometry().state();
   if (odometry.jumped) spdlog::warn("odometry jumped: step left out, jumps={}", base_.odometry().jumps());
   odometry_writer_.write(to_message(odometry, robot_, measured));
@@ -130,10 +131,12 @@ void BaseService::publish_status(const safety::GateDecision& decision, Time now)
     last_status_ = status;
     next_status_ = now + kStatusPeriod;
   }
+  const std::string trouble = diagnosis_.step(
+      {base_.input().base, decision, link_.session().receiver().bad_checksums(), config_.gate.deceleration_mps2}, now);
   if (!base_.input().base.connected) {
     health_.step(base_.model().empty() ? msg::HEALTH_STARTING : msg::HEALTH_FAILED, link_.trouble());
-  } else if (decision.battery_warning) {
-    health_.step(msg::HEALTH_DEGRADED, "the battery is low: finish soon and charge");
+  } else if (!trouble.empty()) {
+    health_.step(msg::HEALTH_DEGRADED, trouble);
   } else if (decision.causes.test(index_of(safety::Cause::TwoCommanders))) {
     const auto& rule = safety::rule_of(safety::Cause::TwoCommanders);
     health_.step(msg::HEALTH_OK, "", {{std::string{rule.fault_id}, std::string{rule.message}}});

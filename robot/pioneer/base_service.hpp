@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "robot/pioneer/base_diagnosis.hpp"
 #include "robot/pioneer/base_link.hpp"
 #include "robot/pioneer/gate_feed.hpp"
 #include "robot/pioneer/gated_base.hpp"
@@ -39,6 +40,7 @@ class BaseService {
   const Clock& mission_;
   BaseLink link_;
   GatedBase base_;
+  BaseDiagnosis diagnosis_;
   GateFeed feed_;
   Time next_cycle_{};
   Time next_status_{};

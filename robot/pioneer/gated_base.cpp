@@ -61,10 +61,10 @@ void GatedBase::take_status(const pioneer::StatusReceived& status) {
   const auto& sip = status.sip;
   const auto& odometry = odometry_.take(sip, status.first_byte);
   auto& base = input_.base;
+  base.estop_pressed = sip.stop_pressed() || (sip.digital_in.value_or(0) & config_.stop_inputs) != 0;
   urgent_ = urgent_ || sip.left_stalled || sip.right_stalled || sip.front_bumpers != 0 || sip.rear_bumpers != 0 ||
-            sip.stop_pressed() || odometry.jumped;
+            base.estop_pressed || odometry.jumped;
   base.motors_enabled = sip.motors_enabled();
-  base.estop_pressed = sip.stop_pressed();
   base.left_stalled = sip.left_stalled;
   base.right_stalled = sip.right_stalled;
   base.front_bumpers = sip.front_bumpers;

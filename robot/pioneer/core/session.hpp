@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
@@ -35,6 +36,7 @@ struct Configured {
 struct StatusReceived {
   Sip sip;
   Time first_byte{};
+  std::size_t bytes = 0;  ///< of its packet on the line
 };
 /// Readings of the gyro came.
 struct GyroReceived {

@@ -50,6 +50,7 @@ struct GateConfig {
   double resume_hold_s = 1.0;  ///< How long the button must have been held.
 
   double battery_warning_v = 11.8;
+  double battery_return_v = 11.5;
   double battery_stop_v = 11.2;
   double battery_filter_s = 5.0;
 
@@ -92,6 +93,7 @@ struct GateConfig {
     visitor.field("warning_s", warning_s, Range{0.5, 60.0});
     visitor.field("resume_hold_s", resume_hold_s, Range{0.5, 10.0});
     visitor.field("battery_warning_v", battery_warning_v, Range{0.0, 60.0});
+    visitor.field("battery_return_v", battery_return_v, Range{0.0, 60.0});
     visitor.field("battery_stop_v", battery_stop_v, Range{0.0, 60.0});
     visitor.field("battery_filter_s", battery_filter_s, Range{0.1, 60.0});
   }

@@ -117,6 +117,7 @@ GateDecision SafetyGate::step(const GateInput& input, Time now) {
   decision.latched = stops_.is_latched();
   decision.resume_in_s = stops_.resume_in_s(now);
   decision.battery_warning = motion_.battery_v() && *motion_.battery_v() < config_.battery_warning_v;
+  decision.battery_return = motion_.battery_v() && *motion_.battery_v() < config_.battery_return_v;
   last_ = decision.motion;
   last_time_ = now;
   return decision;

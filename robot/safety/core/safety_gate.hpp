@@ -42,6 +42,7 @@ struct GateDecision {
   bool latched = false;
   double resume_in_s = 0.0;
   bool battery_warning = false;
+  bool battery_return = false;  ///< low enough to go home at once
   Motion wanted;  ///< what was asked for
 };
 

@@ -174,11 +174,27 @@ TEST(BaseFaults, B6TheStopButtonStopsTheWheelsAndItsReleaseDoesNotStartThem) {
                                    [](auto& r) { r.firmware().press_stop(false); }, Cause::EmergencyStop, 0.05});
 }
 
+TEST(BaseFaults, B6AButtonWiredToADigitalInputIsAnEmergencyStop) {
+  SimulatedBase::Setup setup;
+  setup.config.stop_inputs = 0x10;
+  SimulatedBase robot{setup};
+  robot.reach_cruise();
+  robot.faults().digital_in = 0x0F;
+  robot.run(1.0);
+  ASSERT_FALSE(robot.stands()) << "other inputs are nothing";
+  robot.faults().digital_in = 0x10;
+  EXPECT_LE(robot.time_to_braking(), 0.2);
+  robot.run(2.0);
+  EXPECT_TRUE(robot.stands());
+  EXPECT_TRUE(robot.holds(Cause::EmergencyStop));
+}
+
 TEST(BaseFaults, B7AnEmptyBatteryStopsTheWheelsAfterFiveSeconds) {
   const auto robot = driving_robot(0);
   robot->faults().battery_v = 11.6;
   robot->run(15.0);
   EXPECT_TRUE(robot->decision.battery_warning);
+  EXPECT_FALSE(robot->decision.battery_return);
   EXPECT_FALSE(robot->stands());
   robot->faults().battery_v = 10.5;
   EXPECT_LE(robot->time_to_braking(), 5.0);
