@@ -70,7 +70,10 @@ std::vector<pioneer::SessionEvent> BaseLink::exchange(Duration timeout) {
                  "; is the robot switched on, and is this its port?");
       baud_ = (baud_ + 1) % config_.baud_rates.size();
     }
-    if (const auto* lost = std::get_if<pioneer::Lost>(&event)) trouble_ = "the robot was lost: " + lost->why;
+    // A link that broke has said so already, with the device's name.
+    if (const auto* lost = std::get_if<pioneer::Lost>(&event); lost && link_) {
+      trouble_ = "the robot was lost: " + lost->why;
+    }
   }
   if (session_.is_running()) {
     trouble_.clear();
