@@ -1,7 +1,6 @@
 #include "services/simulator/core/simulation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "services/mapping/core/ray_casting.hpp"
@@ -11,24 +10,6 @@ namespace {
 
 constexpr double kSightRange_m = 3.0;
 constexpr double kRobotBodyRadius_m = 0.4;
-
-/// Sonar poses on the base of a p2at and its kin (x, y [m], heading [rad]).
-constexpr std::array<Pose2, 16> kSonars{{{0.147, 0.136, from_degrees(90)},
-                                         {0.193, 0.119, from_degrees(50)},
-                                         {0.227, 0.079, from_degrees(30)},
-                                         {0.245, 0.027, from_degrees(10)},
-                                         {0.245, -0.027, from_degrees(-10)},
-                                         {0.227, -0.079, from_degrees(-30)},
-                                         {0.193, -0.119, from_degrees(-50)},
-                                         {0.147, -0.136, from_degrees(-90)},
-                                         {-0.144, -0.136, from_degrees(-90)},
-                                         {-0.189, -0.119, from_degrees(-130)},
-                                         {-0.223, -0.079, from_degrees(-150)},
-                                         {-0.241, -0.027, from_degrees(-170)},
-                                         {-0.241, 0.027, from_degrees(170)},
-                                         {-0.223, 0.079, from_degrees(150)},
-                                         {-0.189, 0.119, from_degrees(130)},
-                                         {-0.144, 0.136, from_degrees(90)}}};
 
 }  // namespace
 
@@ -122,9 +103,11 @@ std::vector<pioneer::SonarEcho> Simulation::fire_sonars() {
   std::vector<pioneer::SonarEcho> echoes;
   constexpr int kSonarsPerReport = 4;
   constexpr double kNoEcho_m = 5.0;
+  const auto sonars = pioneer::sonar_poses(options_.firmware.parameters);
+  if (sonars.empty() || !firmware_.sonar_on()) return echoes;
   const auto people = bodies_of_people();
-  for (int i = 0; i < kSonarsPerReport && firmware_.sonar_on(); ++i) {
-    const Pose2 map_from_sonar = body_.map_from_base() * kSonars[next_sonar_];
+  for (int i = 0; i < kSonarsPerReport; ++i) {
+    const Pose2 map_from_sonar = body_.map_from_base() * sonars[next_sonar_];
     double range = range_to_obstacle_m(place_.map(), map_from_sonar.position(), map_from_sonar.heading, kNoEcho_m)
                        .value_or(kNoEcho_m);
     for (const auto& person : people) {
@@ -132,7 +115,7 @@ std::vector<pioneer::SonarEcho> Simulation::fire_sonars() {
     }
     const double counts = range / options_.firmware.parameters.metres_per_range;
     echoes.push_back({static_cast<std::uint8_t>(next_sonar_), static_cast<std::uint16_t>(std::lround(counts))});
-    next_sonar_ = (next_sonar_ + 1) % kSonars.size();
+    next_sonar_ = (next_sonar_ + 1) % sonars.size();
   }
   return echoes;
 }
