@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <libserialport.h>
+#include <linux/serial.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -109,6 +110,14 @@ OpenedLink open_pseudo_terminal(const std::string& name, const std::string& path
 /// Only libserialport's own handle: freeing it leaves the descriptor open.
 using SerialPort = std::unique_ptr<sp_port, void (*)(sp_port*)>;
 
+/// USB adapters hold bytes back for up to 16 ms unless they are told not to; one that cannot be told is as good.
+void answer_at_once(int descriptor) {
+  serial_struct settings{};
+  if (::ioctl(descriptor, TIOCGSERIAL, &settings) != 0) return;
+  settings.flags |= ASYNC_LOW_LATENCY;
+  ::ioctl(descriptor, TIOCSSERIAL, &settings);
+}
+
 OpenedLink open_serial(const std::string& name, const std::string& path, int baud_rate) {
   sp_port* found = nullptr;
   if (sp_get_port_by_name(path.c_str(), &found) != SP_OK) return not_opened(name, "not a serial port");
@@ -118,6 +127,7 @@ OpenedLink open_serial(const std::string& name, const std::string& path, int bau
   sp_get_port_handle(port.get(), &descriptor);
   ByteLink link{descriptor, name};
   ::ioctl(descriptor, TIOCEXCL);
+  answer_at_once(descriptor);
   if (sp_set_bits(port.get(), 8) != SP_OK || sp_set_parity(port.get(), SP_PARITY_NONE) != SP_OK ||
       sp_set_stopbits(port.get(), 1) != SP_OK || sp_set_flowcontrol(port.get(), SP_FLOWCONTROL_NONE) != SP_OK ||
       sp_set_baudrate(port.get(), baud_rate) != SP_OK) {

@@ -2,23 +2,9 @@
 
 #include <cmath>
 
-#include "services/common/angle.hpp"
+#include "robot/pioneer/gated_base.hpp"
 
 namespace tandem {
-namespace {
-
-pioneer::SessionConfig session_config(const BaseConfig& config) {
-  const auto rounded = [](double value) { return static_cast<int>(std::lround(value)); };
-  const auto& gate = config.gate;
-  return {.max_speed_mmps = rounded(1000.0 * gate.max_speed_mps),
-          .max_turn_rate_degps = rounded(to_degrees(gate.max_turn_rate_radps)),
-          .acceleration_mmps2 = rounded(1000.0 * gate.acceleration_mps2),
-          .deceleration_mmps2 = rounded(1000.0 * gate.deceleration_mps2),
-          .turn_acceleration_degps2 = rounded(to_degrees(gate.turn_acceleration_radps2)),
-          .sonar = config.sonar};
-}
-
-}  // namespace
 
 BaseLink::BaseLink(const BaseConfig& config, Clock& timer)
     : config_(config), timer_(timer), session_(session_config(config)) {
@@ -28,6 +14,12 @@ BaseLink::BaseLink(const BaseConfig& config, Clock& timer)
 std::string BaseLink::device_name() const {
   if (config_.device.starts_with("tcp:")) return config_.device;
   return config_.device + " at " + std::to_string(std::lround(config_.baud_rates[baud_])) + " baud";
+}
+
+Duration BaseLink::transmission_time(std::size_t bytes) const {
+  constexpr double kBitsPerByte = 10.0;  // with start and stop
+  if (config_.device.starts_with("tcp:")) return Duration::zero();
+  return from_seconds(static_cast<double>(bytes) * kBitsPerByte / config_.baud_rates[baud_]);
 }
 
 void BaseLink::open() {
@@ -78,7 +70,10 @@ std::vector<pioneer::SessionEvent> BaseLink::exchange(Duration timeout) {
                  "; is the robot switched on, and is this its port?");
       baud_ = (baud_ + 1) % config_.baud_rates.size();
     }
-    if (const auto* lost = std::get_if<pioneer::Lost>(&event)) trouble_ = "the robot was lost: " + lost->why;
+    // A link that broke has said so already, with the device's name.
+    if (const auto* lost = std::get_if<pioneer::Lost>(&event); lost && link_) {
+      trouble_ = "the robot was lost: " + lost->why;
+    }
   }
   if (session_.is_running()) {
     trouble_.clear();

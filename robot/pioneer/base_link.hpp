@@ -26,6 +26,8 @@ class BaseLink {
   void shut_down();
 
   [[nodiscard]] pioneer::Session& session() { return session_; }
+  /// How long `bytes` take on a serial line; 0 over the network.
+  [[nodiscard]] Duration transmission_time(std::size_t bytes) const;
   /// Why there is no connection, with the remedy; empty while there is one.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 

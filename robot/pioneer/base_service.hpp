@@ -3,8 +3,11 @@
 #include <optional>
 #include <string>
 
+#include "robot/pioneer/base_diagnosis.hpp"
 #include "robot/pioneer/base_link.hpp"
 #include "robot/pioneer/gate_feed.hpp"
+#include "robot/pioneer/gated_base.hpp"
+#include "robot/pioneer/map_zones.hpp"
 #include "services/bus/health.hpp"
 
 namespace tandem {
@@ -13,7 +16,8 @@ namespace tandem {
 /// that a gate that hangs sends no pulse either, and the firmware's watchdog stops the robot.
 class BaseService {
  public:
-  BaseService(const BaseConfig& config, const SiteConfig& site, bus::Bus& bus, Clock& timer, const Clock& mission);
+  BaseService(const BaseConfig& config, MapZones zones, const SiteConfig& site, bus::Bus& bus, Clock& timer,
+              const Clock& mission);
   ~BaseService();
   BaseService(const BaseService&) = delete;
   BaseService& operator=(const BaseService&) = delete;
@@ -23,8 +27,8 @@ class BaseService {
 
  private:
   void take(const pioneer::SessionEvent& event);
-  void take_identity(const pioneer::Identity& identity);
-  void take_status(const pioneer::StatusReceived& status);
+  void log_event(const pioneer::SessionEvent& event);
+  void publish_motion(const pioneer::StatusReceived& status);
   void cycle();
   void publish_status(const safety::GateDecision& decision, Time now);
   void log_changes(const safety::GateDecision& decision);
@@ -35,14 +39,9 @@ class BaseService {
   Clock& timer_;
   const Clock& mission_;
   BaseLink link_;
-  safety::SafetyGate gate_;
+  GatedBase base_;
+  BaseDiagnosis diagnosis_;
   GateFeed feed_;
-  pioneer::Odometry odometry_;
-  pioneer::RobotParameters parameters_;
-  std::string model_;
-  Duration kinematics_delay_{};
-  safety::GateInput input_;
-  bool contact_ = false;  ///< something happened that cannot wait for the next cycle
   Time next_cycle_{};
   Time next_status_{};
   msg::BaseStatus last_status_;

@@ -11,11 +11,18 @@ constexpr double kFreshPose_s = 0.5;
 constexpr double kFreshTeammate_s = 1.0;
 constexpr std::size_t kMostCommands = 100;
 
+/// Another process may have set its clock before a step of the wall clock: only a stamp that can be true counts.
+Time plausible_stamp(Time stamp, Time received) {
+  constexpr Duration kLongestWay = std::chrono::seconds{1};
+  return stamp <= received && received - stamp < kLongestWay ? stamp : received;
+}
+
 }  // namespace
 
-GateFeed::GateFeed(bus::Bus& bus, const SiteConfig& site)
+GateFeed::GateFeed(bus::Bus& bus, const SiteConfig& site, std::string map_sha256)
     : robot_(site.robot),
       host_(site.host),
+      may_go_on_(site.on_link_loss != "stop"),
       commands_(bus.in_order(topic::kVelocityCommand, kMostCommands)),
       stops_(bus, topic::kStopRequest, "base"),
       resumes_(bus, topic::kResumeRequest, "base"),
@@ -23,7 +30,10 @@ GateFeed::GateFeed(bus::Bus& bus, const SiteConfig& site)
       people_(bus.latest(topic::kPeople)),
       teammates_(bus.latest(topic::kTeammates)),
       poses_(bus.latest(topic::kRobotPose)),
-      links_(bus.latest(topic::kLinkStatus)) {}
+      links_(bus.latest(topic::kLinkStatus)),
+      map_sha256_(std::move(map_sha256)) {
+  if (!map_sha256_.empty()) maps_.emplace(bus.latest(topic::kMap));
+}
 
 void GateFeed::feed(safety::SafetyGate& gate, const Pose2& odom_from_base, Time now) {
   for (const auto& stop : stops_.take()) {
@@ -58,15 +68,22 @@ void GateFeed::complete(safety::GateInput& input, Time now) {
   if (const auto pose = poses_.newest(); pose && pose->message.robot() == robot_) {
     input.pose.age_s = to_seconds(now - pose->received);
     input.pose.lost = pose->message.status() == msg::LOCALIZATION_LOST;
+    input.pose.map_from_base = from_message(pose->message.map_from_base());
+    input.pose.stamp = plausible_stamp(from_stamp_ns(pose->message.stamp_ns()), pose->received);
     if (*input.pose.age_s < kFreshPose_s) map_from_base_ = from_message(pose->message.map_from_base());
   }
   find_people(now, input.people);
+  if (maps_) {
+    if (const auto map = maps_->take_new()) other_map_ = map->message.sha256() != map_sha256_;
+    input.other_map = other_map_;
+  }
 
   for (const auto& link : links_.each()) {
     if (link.message.host() != host_ || !link.message.up() || link.message.one_way()) continue;
     const Time heard = link.received - from_seconds(link.message.heard_age_s());
     if (!link_heard_ || heard > *link_heard_) link_heard_ = heard;
   }
+  input.link.may_go_on = may_go_on_;
   input.link.silent_s.reset();
   if (link_heard_) input.link.silent_s = to_seconds(now - *link_heard_);
 }

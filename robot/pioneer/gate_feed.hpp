@@ -15,7 +15,8 @@ namespace tandem {
 /// Gives the gate what the bus knows: commands, scans, people, pose, link, and what people ask for.
 class GateFeed {
  public:
-  GateFeed(bus::Bus& bus, const SiteConfig& site);
+  /// `map_sha256` is of the map whose hard zones the gate minds; empty: it minds none, and any map will do.
+  GateFeed(bus::Bus& bus, const SiteConfig& site, std::string map_sha256);
 
   /// Hands over everything that came; STOP first.
   void feed(safety::SafetyGate& gate, const Pose2& odom_from_base, Time now);
@@ -31,6 +32,7 @@ class GateFeed {
 
   std::string robot_;
   std::string host_;
+  bool may_go_on_;
   bus::InOrder<msg::VelocityCommand, msg::VelocityCommandPubSubType> commands_;
   bus::EventReceiver<msg::StopRequest, msg::StopRequestPubSubType> stops_;
   bus::EventReceiver<msg::ResumeRequest, msg::ResumeRequestPubSubType> resumes_;
@@ -39,6 +41,9 @@ class GateFeed {
   Latest<msg::TeammateState, msg::TeammateStatePubSubType> teammates_;
   Latest<msg::RobotPose, msg::RobotPosePubSubType> poses_;
   Latest<msg::LinkStatus, msg::LinkStatusPubSubType> links_;
+  std::string map_sha256_;
+  std::optional<Latest<msg::OccupancyGrid, msg::OccupancyGridPubSubType>> maps_;
+  bool other_map_ = true;
   std::optional<Time> link_heard_;
   std::optional<Pose2> map_from_base_;  ///< while fresh
   std::vector<Eigen::Vector2d> people_in_base_;

@@ -26,6 +26,10 @@ struct SiteConfig {
   /// Where this host's certificate and the rest of SecurityFiles are, for secure_link.
   std::string security_folder = "/etc/tandem/security";
 
+  /// What the robot does without a link: stand still; go on to the end of its path; or back to where it had one. The
+  /// safety gate says how far (last_leg_m in base.toml).
+  std::string on_link_loss = "stop";
+
   template <typename Visitor>
   void visit_fields(Visitor& visitor) {
     visitor.field("host", host);
@@ -40,6 +44,7 @@ struct SiteConfig {
     visitor.field("servers", servers);
     visitor.field("secure_link", secure_link);
     visitor.field("security_folder", security_folder);
+    visitor.field("on_link_loss", on_link_loss, {"stop", "finish_leg", "retreat"});
   }
 };
 

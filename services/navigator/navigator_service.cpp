@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
 #include "services/navigator/navigator_messages.hpp"
 
 namespace tandem::navigator {
@@ -15,11 +17,18 @@ auto new_of(Box& box, const std::string& robot) {
   return received;
 }
 
+LinkLoss link_loss_of(const std::string& word) {
+  if (word == "finish_leg") return LinkLoss::FinishLeg;
+  return word == "retreat" ? LinkLoss::Retreat : LinkLoss::Stop;
+}
+
 }  // namespace
 
 NavigatorService::NavigatorService(const NavigatorConfig& config, const SiteConfig& site, bus::Bus& bus, Clock& clock)
     : config_(config),
       robot_(site.robot),
+      host_(site.host),
+      link_loss_(link_loss_of(site.on_link_loss)),
       bus_(bus),
       clock_(clock),
       health_(bus, site, "navigator"),
@@ -30,9 +39,10 @@ NavigatorService::NavigatorService(const NavigatorConfig& config, const SiteConf
       odometry_(bus.latest(topic::kOdometry)),
       people_(bus.latest(topic::kPeople)),
       base_status_(bus.latest(topic::kBaseStatus)),
+      links_(bus.latest(topic::kLinkStatus)),
       commands_(bus.writer(topic::kVelocityCommand)),
       executions_(bus.writer(topic::kPlanExecution)),
-      navigator_(config),
+      navigator_(config, link_loss_),
       epoch_(clock.epoch()) {}
 
 Situation NavigatorService::situation(Time now) {
@@ -64,6 +74,13 @@ Situation NavigatorService::situation(Time now) {
     people_heard_ = now;
   }
   if (now - people_heard_ > from_seconds(kPeopleTimeout)) known.people.clear();
+  constexpr double kLinkTimeout = 1.5;  // [s] as in the gate
+  for (const auto& link : links_.each()) {
+    if (link.message.host() != host_ || !link.message.up() || link.message.one_way()) continue;
+    link_heard_ =
+        std::max(link_heard_.value_or(Time{}), heard(link.received) - from_seconds(link.message.heard_age_s()));
+  }
+  known.link_lost = link_heard_ && now - *link_heard_ > from_seconds(kLinkTimeout);
   if (const auto status = new_of(base_status_, robot_)) known.base = base_report(status->message);
   return known;
 }
@@ -72,7 +89,7 @@ void NavigatorService::step() {
   const Time now = clock_.now();
   if (clock_.epoch() != epoch_) {  // time begins anew: nothing known before holds
     epoch_ = clock_.epoch();
-    navigator_ = Navigator{config_};
+    navigator_ = Navigator{config_, link_loss_};
     situation_ = {};
     next_execution_ = {};
   }

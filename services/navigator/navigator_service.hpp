@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "services/bus/bus.hpp"
@@ -27,6 +28,8 @@ class NavigatorService {
 
   NavigatorConfig config_;
   std::string robot_;
+  std::string host_;
+  LinkLoss link_loss_;
   bus::Bus& bus_;
   Clock& clock_;
   bus::HealthReporter health_;
@@ -38,12 +41,14 @@ class NavigatorService {
   LatestOf<msg::OdometryPubSubType> odometry_;
   LatestOf<msg::TrackedPeoplePubSubType> people_;
   LatestOf<msg::BaseStatusPubSubType> base_status_;
+  LatestOf<msg::LinkStatusPubSubType> links_;
   WriterOf<msg::VelocityCommandPubSubType> commands_;
   WriterOf<msg::PlanExecutionPubSubType> executions_;
 
   Navigator navigator_;
   Situation situation_;  ///< what of it stays from one beat to the next
   Time people_heard_{};
+  std::optional<Time> link_heard_;  ///< the other side, last
   std::uint64_t sequence_number_ = 0;
   Execution published_;
   Time next_execution_{};

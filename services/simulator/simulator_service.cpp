@@ -27,6 +27,8 @@ SimulationOptions options_of(const SimulatorConfig& config, const Scenario& scen
   options.firmware.watchdog = std::chrono::milliseconds{config.watchdog_ms};
   options.firmware.sip_cycle = std::chrono::milliseconds{config.sip_cycle_ms};
   options.firmware.battery_v = config.battery_v;
+  options.firmware.has_gyro = config.base_gyro;
+  options.firmware.extended_sips = config.robot_model.ends_with("-sh");  // the newest controllers
   options.hull = {parameters->length_m, parameters->width_m};
   options.slip = {config.slip_distance_per_root_m, config.slip_turn_per_root_rad, config.slip_turn_per_root_m};
   options.base_from_laser = {config.laser_x_m, config.laser_y_m, 0.0};
@@ -91,6 +93,10 @@ SimulatorService::SimulatorService(const SimulatorConfig& config, const SiteConf
 
 std::vector<FaultServer::Breakable> SimulatorService::breakables() {
   std::vector<FaultServer::Breakable> devices;
+  devices.push_back({"base", [this](HardwareFault fault) {
+                       spdlog::info("fault: device=base fault={}", name_of(fault));
+                       simulation_.set_base_fault(fault, clock_.now());
+                     }});
   if (laser_) {
     devices.push_back({"laser", [this](HardwareFault fault) {
                          spdlog::info("fault: device=laser fault={}", name_of(fault));

@@ -59,6 +59,22 @@ void visit_fields(AnyConfig& config, Visitor& visit) {
   visit(config.gyro_clockwise);
   visit(config.gyro_counter_clockwise);
   visit(config.kinematics_delay_ms);
+  visit(config.lateral_top_speed);
+  visit(config.lateral_top_acceleration);
+  visit(config.lateral_max_speed);
+  visit(config.lateral_acceleration);
+  visit(config.lateral_deceleration);
+  visit(config.charge_threshold);
+  visit(config.power_board_port);
+  visit(config.gyro_rate_limit);
+  visit(config.shutdown_temperature_c);
+  visit(config.power_bits);
+  visit(config.battery_type);
+  visit(config.low_state_of_charge);
+  visit(config.shutdown_state_of_charge);
+  visit(config.bootloader_version);
+  visit(config.config_flags);
+  visit(config.gyro_firmware);
 }
 
 }  // namespace

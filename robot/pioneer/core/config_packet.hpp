@@ -63,11 +63,29 @@ struct ConfigPacket {
   std::uint16_t gyro_counter_clockwise = 0;
   std::uint8_t kinematics_delay_ms = 0;  ///< Age of the odometry when it is sent.
 
+  // Lateral and newer robots only.
+  std::uint16_t lateral_top_speed = 0;
+  std::uint16_t lateral_top_acceleration = 0;
+  std::uint16_t lateral_max_speed = 0;
+  std::uint16_t lateral_acceleration = 0;
+  std::uint16_t lateral_deceleration = 0;
+  std::uint16_t charge_threshold = 0;
+  std::uint8_t power_board_port = 0;
+  std::uint16_t gyro_rate_limit = 0;
+  std::int8_t shutdown_temperature_c = 0;
+  std::uint16_t power_bits = 0;
+  std::uint8_t battery_type = 0;
+  std::uint16_t low_state_of_charge = 0;
+  std::uint16_t shutdown_state_of_charge = 0;
+  std::string bootloader_version;
+  std::uint32_t config_flags = 0;
+  std::int16_t gyro_firmware = 0;
+
   friend bool operator==(const ConfigPacket&, const ConfigPacket&) = default;
 };
 
 [[nodiscard]] Packet encode_config(const ConfigPacket& config);
-/// None if `packet` is of another type. Fields behind its end stay 0; what newer robots append is left out.
+/// None if `packet` is of another type. Fields behind its end stay 0.
 [[nodiscard]] std::optional<ConfigPacket> decode_config(const Packet& packet);
 
 }  // namespace tandem::pioneer

@@ -26,6 +26,7 @@ void Odometry::restart(const RobotParameters& parameters) {
   if (opened_before_) ++state_.epoch;
   opened_before_ = true;
   reference_.reset();
+  gyro_.restart();
   state_.covariance.setZero();
   state_.velocity = {};
   state_.jumped = false;
@@ -40,6 +41,7 @@ const OdometryState& Odometry::take(const Sip& sip, Time stamp) {
       sip.turn_rate_x10 ? from_degrees(0.1 * *sip.turn_rate_x10)
                         : 0.5 * (right_mps - left_mps) * parameters_.half_track_per_m / wheels_.track_scale;
   state_.jumped = false;
+  const std::optional<double> gyro_turn = gyro_.take_turn();
   if (reference_) {
     const auto counts_per_turn = static_cast<int>(std::lround(2.0 * std::numbers::pi / parameters_.radians_per_count));
     const double dx = unwrapped(current.x - reference_->x, kCounterRange) * parameters_.metres_per_count;
@@ -54,14 +56,20 @@ const OdometryState& Odometry::take(const Sip& sip, Time stamp) {
     } else {
       const Pose2 controller_from_last{0.0, 0.0, reference_->heading * parameters_.radians_per_count};
       const Eigen::Vector2d step = inverse(controller_from_last) * Eigen::Vector2d{dx, dy};
-      move(corrected(Pose2{step.x(), step.y(), turn}, 1.0 / parameters_.half_track_per_m, wheels_));
+      Pose2 motion = corrected(Pose2{step.x(), step.y(), turn}, 1.0 / parameters_.half_track_per_m, wheels_);
+      if (gyro_turn) motion.heading = *gyro_turn;
+      move(motion, gyro_turn ? TurnFrom::Gyro : TurnFrom::Wheels);
     }
   }
   reference_ = current;
   return state_;
 }
 
-void Odometry::move(const Pose2& step) {
+void Odometry::take(const std::vector<GyroReading>& readings) {
+  gyro_.take(readings, state_.velocity == Twist2{});
+}
+
+void Odometry::move(const Pose2& step, TurnFrom turn_from) {
   const double heading = state_.odom_from_base.heading;
   const Pose2 next = state_.odom_from_base * step;
   const double dx = next.x - state_.odom_from_base.x;
@@ -72,7 +80,8 @@ void Odometry::move(const Pose2& step) {
 
   const double way = std::hypot(step.x, step.y);
   const double turn = std::abs(step.heading);
-  const double factor = parameters_.skid_steer ? noise_.skid_steer_factor : 1.0;
+  const bool slips = parameters_.skid_steer && turn_from == TurnFrom::Wheels;
+  const double factor = slips ? noise_.skid_steer_factor : 1.0;
   const double distance_variance = noise_.distance_per_root_m * noise_.distance_per_root_m * way;
   const double turn_deviation = factor * noise_.turn_per_root_rad;
   const double drift_deviation = factor * noise_.turn_per_root_m;

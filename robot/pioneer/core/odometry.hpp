@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
+#include "robot/pioneer/core/gyro.hpp"
 #include "robot/pioneer/core/robot_parameters.hpp"
 #include "robot/pioneer/core/sip.hpp"
 #include "services/common/config.hpp"
@@ -51,6 +53,8 @@ class Odometry {
   void restart(const RobotParameters& parameters);
   /// Takes a packet measured at `stamp`.
   const OdometryState& take(const Sip& sip, Time stamp);
+  /// Takes readings of the gyro: from then on it says how far the robot turned, and the wheels how far it went.
+  void take(const std::vector<GyroReading>& readings);
   [[nodiscard]] const OdometryState& state() const { return state_; }
   /// Impossible steps left out so far.
   [[nodiscard]] std::uint64_t jumps() const { return jumps_; }
@@ -62,11 +66,13 @@ class Odometry {
     int heading = 0;
     Time stamp{};
   };
-  void move(const Pose2& step);
+  enum class TurnFrom { Wheels, Gyro };
+  void move(const Pose2& step, TurnFrom turn_from);
 
   OdometryNoise noise_;
   WheelCorrection wheels_;
   RobotParameters parameters_;
+  Gyro gyro_;
   bool opened_before_ = false;
   std::optional<Reference> reference_;
   OdometryState state_;

@@ -52,6 +52,25 @@ constexpr RobotParameters kTable[] = {
     pioneer1(row("pionat", 0.07, 0.1734, 0.00333, 330, 500, 400, 500, 100, 7, 0, 0, true)),
 };
 
+/// A sonar's place on the base, in millimetres and degrees.
+constexpr Pose2 sonar(double x, double y, double heading) {
+  return {x / 1000.0, y / 1000.0, from_degrees(heading)};
+}
+
+constexpr Pose2 kSonarsOfAt[] = {
+    sonar(147, 136, 90),    sonar(193, 119, 50),     sonar(227, 79, 30),     sonar(245, 27, 10),
+    sonar(245, -27, -10),   sonar(227, -79, -30),    sonar(193, -119, -50),  sonar(147, -136, -90),
+    sonar(-144, -136, -90), sonar(-189, -119, -130), sonar(-223, -79, -150), sonar(-241, -27, -170),
+    sonar(-241, 27, 170),   sonar(-223, 79, 150),    sonar(-189, 119, 130),  sonar(-144, 136, 90)};
+constexpr Pose2 kSonarsOfDx[] = {
+    sonar(69, 136, 90),     sonar(114, 119, 50),     sonar(148, 78, 30),     sonar(166, 27, 10),
+    sonar(166, -27, -10),   sonar(148, -78, -30),    sonar(114, -119, -50),  sonar(69, -136, -90),
+    sonar(-157, -136, -90), sonar(-203, -119, -130), sonar(-237, -78, -150), sonar(-255, -27, -170),
+    sonar(-255, 27, 170),   sonar(-237, 78, 150),    sonar(-203, 119, 130),  sonar(-157, 136, 90)};
+constexpr Pose2 kSonarsOfAmigo[] = {sonar(70, 100, 90),     sonar(125, 75, 41),   sonar(144, 30, 15),
+                                    sonar(144, -30, -15),   sonar(120, -75, -41), sonar(70, -100, -90),
+                                    sonar(-146, -58, -145), sonar(-146, 58, 145)};
+
 bool equal_in_any_case(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](unsigned char left, unsigned char right) { return std::tolower(left) == std::tolower(right); });
@@ -61,6 +80,14 @@ bool equal_in_any_case(std::string_view a, std::string_view b) {
 
 std::span<const RobotParameters> all_robot_parameters() {
   return kTable;
+}
+
+std::span<const Pose2> sonar_poses(const RobotParameters& parameters) {
+  const std::string_view subclass = parameters.subclass;
+  if (subclass == "amigo-sh") return kSonarsOfAmigo;
+  if (subclass.starts_with("p2at") || subclass.starts_with("p3at")) return kSonarsOfAt;
+  if (subclass.starts_with("p2d") || subclass.starts_with("p3dx")) return kSonarsOfDx;
+  return {};
 }
 
 const RobotParameters* robot_parameters(std::string_view subclass) {

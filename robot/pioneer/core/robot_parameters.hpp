@@ -32,6 +32,9 @@ struct RobotParameters {
 /// Every model we know.
 [[nodiscard]] std::span<const RobotParameters> all_robot_parameters();
 
+/// Where the sonars sit on the base, numbered clockwise from the front left; empty where nobody told us.
+[[nodiscard]] std::span<const Pose2> sonar_poses(const RobotParameters& parameters);
+
 /// The parameters of `subclass` in any case; null for a robot nobody told us of.
 [[nodiscard]] const RobotParameters* robot_parameters(std::string_view subclass);
 

@@ -22,6 +22,7 @@ constexpr Duration kConfigPatience = milliseconds{1000};
 constexpr Duration kClosePause = milliseconds{100};
 constexpr int kAttempts = 4;
 constexpr int kConfigRequests = 5;
+constexpr std::size_t kFrameBytes = 6;
 
 }  // namespace
 
@@ -96,8 +97,10 @@ void Session::take_packet(const Packet& packet, Time now) {
       if (const auto sip = decode_sip(packet)) take_status(*sip, packet, now);
       if (const auto config = decode_config(packet)) {
         configured_ = true;
+        if (config->has_gyro == 1) send(command(Command::Gyro, 1));
         events_.push_back(Configured{*config});
       }
+      if (auto readings = decode_gyro(packet)) events_.push_back(GyroReceived{std::move(*readings)});
       return;
     case State::Closed:
     case State::Draining:
@@ -173,7 +176,7 @@ void Session::take_status(const Sip& sip, const Packet& packet, Time now) {
     stand_still();
     last_sent_ = now;
   }
-  events_.push_back(StatusReceived{sip, packet.first_byte});
+  events_.push_back(StatusReceived{sip, packet.first_byte, packet.body.size() + kFrameBytes});
 }
 
 void Session::drive(double forward_mps, double turn_rate_radps) {

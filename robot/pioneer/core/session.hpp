@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "robot/pioneer/core/config_packet.hpp"
+#include "robot/pioneer/core/extra_packets.hpp"
 #include "robot/pioneer/core/packet.hpp"
 #include "robot/pioneer/core/sip.hpp"
 #include "services/common/time.hpp"
@@ -34,6 +36,11 @@ struct Configured {
 struct StatusReceived {
   Sip sip;
   Time first_byte{};
+  std::size_t bytes = 0;  ///< of its packet on the line
+};
+/// Readings of the gyro came.
+struct GyroReceived {
+  std::vector<GyroReading> readings;
 };
 /// The controller was there and is no more.
 struct Lost {
@@ -47,7 +54,7 @@ struct GaveUp {
 struct Gap {
   Duration silent{};
 };
-using SessionEvent = std::variant<Identified, Configured, StatusReceived, Lost, GaveUp, Gap>;
+using SessionEvent = std::variant<Identified, Configured, StatusReceived, GyroReceived, Lost, GaveUp, Gap>;
 
 /// The dialogue with a Pioneer's controller: bytes and time in, bytes and events out.
 ///

@@ -9,9 +9,11 @@ namespace {
 constexpr double kJump_m = 0.5;
 constexpr double kOverspeedFactor = 1.5;
 constexpr double kOverspeedFor_s = 0.2;
-constexpr double kDeadFor_s = 1.0;
+constexpr double kDeadFor_s = 0.9;  ///< and a report and a cycle make a second
 constexpr double kCertainlyTold_mps = 0.1;
-constexpr double kStill_mps = 0.01;
+constexpr double kCertainlyTold_radps = 0.2;
+constexpr double kStill_m = 0.02;
+constexpr double kStill_rad = 0.04;
 
 }  // namespace
 
@@ -39,12 +41,19 @@ Causes MotionMonitor::step(const BaseInput& base, const Motion& commanded, Time 
 }
 
 bool MotionMonitor::wheels_stand_still_when_told_to_turn(const BaseInput& base, const Motion& commanded, Time now) {
-  const bool told = base.motors_enabled && std::abs(commanded.forward_mps) >= kCertainlyTold_mps;
-  if (!told || std::abs(base.measured.forward_mps) > kStill_mps) {
+  // By the counted way: a controller that repeats its last report would go on telling a speed.
+  const bool told = base.motors_enabled && (std::abs(commanded.forward_mps) >= kCertainlyTold_mps ||
+                                            std::abs(commanded.turn_rate_radps) >= kCertainlyTold_radps);
+  const Pose2 step = inverse(dead_at_) * base.odom_from_base;
+  const bool moved = !(std::hypot(step.x, step.y) <= kStill_m && std::abs(step.heading) <= kStill_rad);
+  if (!told || (dead_since_ && moved)) {
     dead_since_.reset();
     return false;
   }
-  if (!dead_since_) dead_since_ = now;
+  if (!dead_since_) {
+    dead_since_ = now;
+    dead_at_ = base.odom_from_base;
+  }
   return to_seconds(now - *dead_since_) > kDeadFor_s;
 }
 

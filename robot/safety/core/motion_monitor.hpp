@@ -51,6 +51,7 @@ class MotionMonitor {
   std::optional<Pose2> last_pose_;
   std::uint32_t last_epoch_ = 0;
   std::optional<Time> dead_since_;
+  Pose2 dead_at_;
   std::optional<Time> too_fast_since_;
   std::optional<double> battery_v_;
   Time last_step_{};

@@ -2,10 +2,14 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "robot/safety/core/command_monitor.hpp"
 #include "robot/safety/core/gate_config.hpp"
+#include "robot/safety/core/hard_zones.hpp"
+#include "robot/safety/core/link_monitor.hpp"
 #include "robot/safety/core/motion_monitor.hpp"
+#include "robot/safety/core/odometry_trail.hpp"
 #include "robot/safety/core/scan_monitor.hpp"
 #include "robot/safety/core/speed_limits.hpp"
 #include "robot/safety/core/stop_rules.hpp"
@@ -15,13 +19,10 @@ namespace tandem::safety {
 
 /// What localization says.
 struct PoseInput {
-  std::optional<double> age_s;  ///< none if there never was a pose
+  std::optional<double> age_s;  ///< since it came; none if there never was a pose
   bool lost = false;
-};
-
-/// What the relay says of the link to the operator.
-struct LinkInput {
-  std::optional<double> silent_s;  ///< since the other side was heard; none if it never was
+  Pose2 map_from_base{};  ///< at `stamp`
+  Time stamp{};
 };
 
 /// Everything the gate looks at in one cycle, besides the commands and scans it was given.
@@ -31,6 +32,7 @@ struct GateInput {
   PoseInput pose;
   LinkInput link;
   bool other_base = false;  ///< another base service says that it is this robot's
+  bool other_map = false;   ///< the host's map is not, or not yet, the one that the zones belong to
 };
 
 struct GateDecision {
@@ -40,6 +42,7 @@ struct GateDecision {
   bool latched = false;
   double resume_in_s = 0.0;
   bool battery_warning = false;
+  bool battery_return = false;  ///< low enough to go home at once
   Motion wanted;  ///< what was asked for
 };
 
@@ -48,7 +51,8 @@ struct GateDecision {
 /// Values in, values out; knows no clock, no bus and no device. A cycle allocates nothing. See docs/safety.md.
 class SafetyGate {
  public:
-  explicit SafetyGate(const GateConfig& config);
+  /// `zones` are those of the map that poses are on.
+  explicit SafetyGate(const GateConfig& config, std::vector<HardZone> zones = {});
   SafetyGate(const SafetyGate&) = delete;  // its parts share one config
   SafetyGate& operator=(const SafetyGate&) = delete;
 
@@ -72,15 +76,22 @@ class SafetyGate {
   [[nodiscard]] Causes causes_of(const GateInput& input, Time now);
   [[nodiscard]] Motion ramped(const Motion& wanted, double limit_mps, bool motors_enabled, Time now) const;
   [[nodiscard]] Motion without_reverse(Motion wanted) const;
+  [[nodiscard]] Motion away_from_contact(Motion wanted, const BaseInput& base) const;
+  [[nodiscard]] bool is_operated() const { return commands_.kind() == CommanderKind::Operator; }
+  [[nodiscard]] bool has_pose(const PoseInput& pose) const;
+  [[nodiscard]] PathLimit limited_by_way(const GateInput& input, const Motion& candidate, Time now,
+                                         Causes& causes) const;
 
   const GateConfig config_;
   const Hull hull_;
+  const std::vector<HardZone> zones_;
   CommandMonitor commands_;
   ScanMonitor scans_;
   MotionMonitor motion_;
+  LinkMonitor link_;
   StopState stops_;
+  OdometryTrail trail_;
   Causes requested_;  ///< momentary causes, until the next cycle
-  bool link_was_up_ = false;
   Motion last_;
   Time last_time_{};
 };

@@ -42,7 +42,12 @@ void ScanMonitor::take(const ScanView& scan, const Pose2& odom_from_base, Time n
   arrived_ = now;
   stamp_ = scan.stamp;
   bad_ = !is_usable(scan);
-  compare_with_last(scan, odom_from_base);
+  if (bad_) {
+    repetitions_ = 0;  // no picture at all is not one that stands still: it stops the robot in its own way
+    stuck_ = false;
+  } else {
+    compare_with_last(scan, odom_from_base);
+  }
 }
 
 bool ScanMonitor::is_usable(const ScanView& scan) {

@@ -63,9 +63,11 @@ enum class Cause : std::uint8_t {
   TwoBases,
   BadCommand,
   StaleCommand,
+  OtherMap,
   ObstacleAhead,
+  KeepOutAhead,
 };
-inline constexpr std::size_t kCauses = 25;
+inline constexpr std::size_t kCauses = 27;
 using Causes = std::bitset<kCauses>;
 [[nodiscard]] constexpr std::size_t index_of(Cause cause) {
   return static_cast<std::size_t>(cause);
@@ -106,7 +108,9 @@ inline constexpr std::array<StopRule, kCauses> kStopRules{{
     {Cause::TwoBases, StopReason::TwoCommanders, Resume::Auto, "X6", "another base says that it is this robot"},
     {Cause::BadCommand, StopReason::BadCommand, Resume::Auto, "B9", "the velocity commands are nonsense"},
     {Cause::StaleCommand, StopReason::StaleCommand, Resume::Auto, "P4", "the velocity commands ceased while driving"},
+    {Cause::OtherMap, StopReason::LostPose, Resume::Auto, "SAF-10", "the robot is not on the map whose zones it minds"},
     {Cause::ObstacleAhead, StopReason::Obstacle, Resume::AtOnce, "S5 SAF-2 SAF-4", "something is in the way"},
+    {Cause::KeepOutAhead, StopReason::Obstacle, Resume::AtOnce, "SAF-10", "a keep-out zone of the map is in the way"},
 }};
 
 [[nodiscard]] constexpr const StopRule& rule_of(Cause cause) {

@@ -4,10 +4,12 @@
 
 namespace tandem::safety {
 
-void StopState::step(const Causes& holding, Time now) {
+void StopState::step(const Causes& holding, Time now, const Causes& excusable) {
   static const Causes kStops = ~causes_with(Resume::AtOnce);
   static const Causes kLatching = causes_with(Resume::Latched);
-  holding_ = holding & kStops;
+  excusable_ = excusable;
+  excused_ &= holding & excusable;
+  holding_ = holding & kStops & ~excused_;
   latched_ |= holding_ & kLatching;
   if (holding_.any()) {
     stopped_ = true;
@@ -19,7 +21,7 @@ void StopState::step(const Causes& holding, Time now) {
 
 std::string_view StopState::resume(double held_s, Time now) {
   // Commands that ceased are no danger to resume from: nothing moves before new ones come.
-  Causes still_holding = holding_;
+  Causes still_holding = holding_ & ~excusable_;
   still_holding.reset(index_of(Cause::StaleCommand));
   if (!(held_s >= config_.resume_hold_s)) return "hold the button longer";
   for (const StopRule& rule : kStopRules) {
@@ -27,6 +29,8 @@ std::string_view StopState::resume(double held_s, Time now) {
   }
   if (latched_.none()) return "nothing to resume";
   latched_.reset();
+  excused_ |= holding_ & excusable_;
+  holding_ &= ~excused_;
   if (holding_.none()) free_at_ = now + from_seconds(config_.warning_s);
   return {};
 }

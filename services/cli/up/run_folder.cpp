@@ -75,7 +75,7 @@ RunFolder make_run_folder(const SimulatedRun& run) {
       {"laser_port", std::to_string(laser_port)},
       {"camera_port", std::to_string(camera_port)}};
   robot.write("simulator", simulator);
-  robot.write("base", {{"device", tcp(made.base_port)}});
+  robot.write("base", {{"device", tcp(made.base_port)}, {"map", path_value(run.map)}});
   robot.write("laser", {{"device", tcp(laser_port)}});
   robot.write("camera", {{"source", toml_string("http://" + std::string{kLoopback} + ":" + std::to_string(camera_port) +
                                                 "/stream.mjpeg")}});

@@ -18,8 +18,12 @@ bool Execution::differs_from(const Execution& other) const {
          reason != other.reason;
 }
 
-Navigator::Navigator(const NavigatorConfig& config)
-    : config_(config), plans_(from_seconds(config.plan_timeout_s)), follower_(config), avoidance_(config) {}
+Navigator::Navigator(const NavigatorConfig& config, LinkLoss link_loss)
+    : config_(config),
+      plans_(from_seconds(config.plan_timeout_s)),
+      follower_(config),
+      avoidance_(config),
+      link_loss_(link_loss) {}
 
 std::string Navigator::reason_to_stand(const Situation& situation) const {
   using Standing = PlanKeeper::Standing;
@@ -31,7 +35,8 @@ std::string Navigator::reason_to_stand(const Situation& situation) const {
       return "waiting for the plan to be accepted";
     case Standing::Unconfirmed:
       return "waiting for the planner to repeat its plan";
-    case Standing::Dead:
+    case Standing::Dead:  // nobody can repeat it without a link; one that was not begun is not begun then
+      if (situation.link_lost && link_loss_ != LinkLoss::Stop && (retreating_ || plan_id_ == plans_.plan()->id)) break;
       return "the planner no longer repeats its plan";
     case Standing::Expired:
       return "the plan has expired";
@@ -56,9 +61,26 @@ void Navigator::take_up_plan(const Pose2& map_from_base, Time now) {
   Path path{plan.points_in_map};
   if (plan.id == plan_id_ && path == follower_.path()) return;
   plan_id_ = plan.id;
+  begin(std::move(path), map_from_base, now);
+}
+
+void Navigator::begin(Path path, const Pose2& map_from_base, Time now) {
   follower_.begin(std::move(path), map_from_base.position());
   finished_ = false;
   last_motion_ = last_progress_ = {now, map_from_base, 0.0};
+}
+
+bool Navigator::retreat(const Situation& situation, const Pose2& map_from_base) {
+  if (link_loss_ != LinkLoss::Retreat) return false;
+  if (!situation.link_lost) {
+    way_back_.take(map_from_base.position());
+    if (retreating_) plan_id_.clear();  // its plan is taken up anew from here
+    retreating_ = false;
+  } else if (!retreating_) {
+    retreating_ = true;
+    begin(Path{way_back_.points_from(map_from_base.position())}, map_from_base, situation.now);
+  }
+  return retreating_;
 }
 
 Decision Navigator::decide(const Situation& situation) {
@@ -76,7 +98,7 @@ Decision Navigator::decide(const Situation& situation) {
   constexpr double kMaxPrediction = 0.3;  // [s]
   const auto age_s = [&](Time stamp) { return std::clamp(to_seconds(situation.now - stamp), 0.0, kMaxPrediction); };
   const Pose2 map_from_base = moved_on(situation.pose->map_from_base, situation.velocity, age_s(situation.pose->stamp));
-  take_up_plan(map_from_base, situation.now);
+  if (!retreat(situation, map_from_base)) take_up_plan(map_from_base, situation.now);
 
   const Aim aim = follower_.aim(map_from_base, last_velocity_.forward_mps);
   finished_ = finished_ || aim.arrived;

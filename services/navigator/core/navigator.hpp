@@ -10,6 +10,7 @@
 #include "services/navigator/core/navigator_config.hpp"
 #include "services/navigator/core/path_follower.hpp"
 #include "services/navigator/core/plan_keeper.hpp"
+#include "services/navigator/core/way_back.hpp"
 
 namespace tandem::navigator {
 
@@ -41,6 +42,9 @@ struct BaseReport {
   bool by_obstacle = false;  ///< And that this is something in the way.
 };
 
+/// What to do while the link to the operator is gone.
+enum class LinkLoss { Stop, FinishLeg, Retreat };
+
 /// All the navigator knows at a moment.
 struct Situation {
   Time now{};
@@ -50,6 +54,7 @@ struct Situation {
   Twist2 velocity;  ///< As the wheels measured it last.
   std::vector<WalkingPerson> people;
   BaseReport base;
+  bool link_lost = false;  ///< It was there, and is gone.
 };
 
 /// How the plan goes.
@@ -76,7 +81,7 @@ struct Decision {
 /// Stands still unless everything it relies on is there and fresh. Never backwards, never sideways.
 class Navigator {
  public:
-  explicit Navigator(const NavigatorConfig& config);
+  explicit Navigator(const NavigatorConfig& config, LinkLoss link_loss = LinkLoss::Stop);
 
   void receive_plan(PlanNews news, Time received) { plans_.receive(std::move(news), received); }
   [[nodiscard]] Decision decide(const Situation& situation);
@@ -84,6 +89,9 @@ class Navigator {
  private:
   [[nodiscard]] std::string reason_to_stand(const Situation& situation) const;
   void take_up_plan(const Pose2& map_from_base, Time now);
+  void begin(Path path, const Pose2& map_from_base, Time now);
+  /// Goes back the way it came, or leaves that once the link is there again. True while it goes back.
+  bool retreat(const Situation& situation, const Pose2& map_from_base);
   [[nodiscard]] Twist2 velocity_for(const Course& course, const Aim& aim, const Situation& situation,
                                     const Pose2& map_from_base) const;
   void watch_advance(const Situation& situation, const Pose2& map_from_base, const Aim& aim);
@@ -99,6 +107,9 @@ class Navigator {
   PlanKeeper plans_;
   PathFollower follower_;
   Avoidance avoidance_;
+  LinkLoss link_loss_;
+  WayBack way_back_;
+  bool retreating_ = false;
   std::string plan_id_;  ///< of the path that is followed
   bool finished_ = false;
   Twist2 last_velocity_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/pioneer/core/config_packet.hpp"
-
 namespace tandem::simulator {
 namespace {
 
@@ -20,18 +18,6 @@ void append(Bytes& all, const Bytes& more) {
 
 Bytes sync_reply(std::uint8_t type) {
   return pioneer::framed(pioneer::Packet{type, {}, {}});
-}
-
-/// The low 15 bits of a counter that counts `way_m`.
-std::uint16_t counter(double way_m, double metres_per_count) {
-  return static_cast<std::uint16_t>(static_cast<std::int64_t>(std::floor(way_m / metres_per_count)) & 0x7FFF);
-}
-
-std::uint16_t milli(double value) {
-  return static_cast<std::uint16_t>(std::lround(value * 1000.0));
-}
-std::uint16_t degrees(double value_rad) {
-  return static_cast<std::uint16_t>(std::lround(to_degrees(value_rad)));
 }
 
 }  // namespace
@@ -91,12 +77,27 @@ Bytes PioneerFirmware::obey(const pioneer::HostCommand& command) {
       motors_on_ = value != 0 && !stop_pressed_;
       break;
     case Command::Velocity:
+      way_to_go_m_.reset();
       told_.forward_mps = std::clamp(value_si, -max_speed_mps_, max_speed_mps_);
       break;
     case Command::TurnRate:
+      heading_setpoint_.reset();
       told_.turn_rate_radps = std::clamp(from_degrees(value), -max_turn_rate_radps_, max_turn_rate_radps_);
       break;
+    case Command::Move:
+      way_to_go_m_ = value_si;
+      break;
+    case Command::Heading:
+      heading_setpoint_ = from_degrees(value);
+      break;
+    case Command::DeltaHeading:
+      heading_setpoint_ = wrap_to_pi(odom_from_base_.heading + from_degrees(value));
+      break;
+    case Command::DeltaHeadingFromSetpoint:
+      heading_setpoint_ = wrap_to_pi(heading_setpoint_.value_or(odom_from_base_.heading) + from_degrees(value));
+      break;
     case Command::WheelVelocities: {
+      forget_goals();
       const double unit_mps = options_.parameters.wheel_speed_step_mmps / 1000.0;
       const std::uint16_t both = command.packed_bytes();
       const auto left = static_cast<std::int8_t>(both >> 8u);
@@ -107,9 +108,12 @@ Bytes PioneerFirmware::obey(const pioneer::HostCommand& command) {
       break;
     }
     case Command::Stop:
+      forget_goals();
       told_ = {};
       break;
     case Command::EmergencyStop:
+    case Command::QuickStop:
+      forget_goals();
       told_ = {};
       speed_ = {};
       break;
@@ -128,12 +132,29 @@ Bytes PioneerFirmware::obey(const pioneer::HostCommand& command) {
       break;
     case Command::SetOrigin:
       odom_from_base_ = {};
+      heading_setpoint_.reset();
       break;
     case Command::Sonar:
       sonar_on_ = (value & 1) != 0;
       break;
     case Command::Config:
       return config_packet();
+    case Command::Encoder:
+      return start(encoder_stream_, value, encoder_packet());
+    case Command::IoRequest:
+      return start(io_stream_, value, io_packet());
+    case Command::Gyro:
+      gyro_on_ = options_.has_gyro && value == 1;
+      break;
+    case Command::DigitalOut: {
+      const std::uint16_t both = command.packed_bytes();
+      const auto mask = static_cast<std::uint8_t>(both >> 8u);
+      digital_out_ = static_cast<std::uint8_t>((digital_out_ & ~mask) | (both & mask));
+      break;
+    }
+    case Command::AnalogSelect:
+      analog_port_ = static_cast<std::uint8_t>(value);
+      break;
     case Command::BatteryTest:
       tested_battery_v_ = value > 0 ? std::optional{0.1 * value} : std::nullopt;
       break;
@@ -143,8 +164,32 @@ Bytes PioneerFirmware::obey(const pioneer::HostCommand& command) {
   return {};
 }
 
+Bytes PioneerFirmware::start(bool& stream, int value, const Bytes& one) const {
+  stream = value >= 2;
+  return value == 1 ? one : Bytes{};
+}
+
+void PioneerFirmware::forget_goals() {
+  way_to_go_m_.reset();
+  heading_setpoint_.reset();
+}
+
+void PioneerFirmware::steer_to_goals() {
+  if (way_to_go_m_) {
+    const double stopping_mps = std::sqrt(2.0 * deceleration_mps2_ * std::abs(*way_to_go_m_));
+    told_.forward_mps = std::copysign(std::min(max_speed_mps_, stopping_mps), *way_to_go_m_);
+  }
+  if (heading_setpoint_) {
+    constexpr double kGain = 2.0;  // [1/s]
+    const double left_rad = turn_between(odom_from_base_.heading, *heading_setpoint_);
+    told_.turn_rate_radps = std::clamp(kGain * left_rad, -max_turn_rate_radps_, max_turn_rate_radps_);
+  }
+}
+
 void PioneerFirmware::close() {
   open_ = false;
+  encoder_stream_ = io_stream_ = gyro_on_ = false;
+  forget_goals();
   motors_on_ = false;
   next_sync_ = 0;
   told_ = {};
@@ -152,9 +197,14 @@ void PioneerFirmware::close() {
 
 BodySpeed PioneerFirmware::drive(double dt_s, Time now) {
   if (!motors_on_) return speed_ = {};
+  steer_to_goals();
   const bool silent = now - last_packet_ > options_.watchdog;
   // What was told last is only put aside: packets, or the end of the stall, bring it back.
-  const BodySpeed target = silent || is_stalled(now) ? BodySpeed{} : told_;
+  BodySpeed target = silent || is_stalled(now) ? BodySpeed{} : told_;
+  if ((faults_.left_blocked || faults_.right_blocked) && target != BodySpeed{}) {
+    stall(faults_.left_blocked, faults_.right_blocked, now);
+    target = {};
+  }
   speed_.forward_mps =
       ramped(speed_.forward_mps, target.forward_mps, acceleration_mps2_ * dt_s, deceleration_mps2_ * dt_s);
   speed_.turn_rate_radps = ramped(speed_.turn_rate_radps, target.turn_rate_radps, turn_acceleration_radps2_ * dt_s,
@@ -165,77 +215,23 @@ BodySpeed PioneerFirmware::drive(double dt_s, Time now) {
 void PioneerFirmware::settle(const Pose2& wheel_motion, const Moved& moved, Time now) {
   contact_ = moved.contact;
   if (moved.blocked) {
-    stalled_until_ = now + options_.stall_time;
-    speed_ = {};
+    stall(true, true, now);
     return;
   }
+  const double turning_m = wheel_motion.heading * half_track_m();
+  const double way_m = std::copysign(std::hypot(wheel_motion.x, wheel_motion.y), wheel_motion.x);
+  if (way_to_go_m_) *way_to_go_m_ -= way_m;
+  if (faults_.encoders_dead) return;
   odom_from_base_ = odom_from_base_ * wheel_motion;
+  left_way_m_ += way_m - turning_m;
+  right_way_m_ += way_m + turning_m;
 }
 
-Bytes PioneerFirmware::report(std::vector<pioneer::SonarEcho> echoes, Time now) {
-  next_report_ += options_.sip_cycle;
-  if (next_report_ <= now) next_report_ = now + options_.sip_cycle;
-  const auto& parameters = options_.parameters;
-  const WheelSpeeds wheels = wheels_of(speed_, half_track_m());
-  const double battery_v = tested_battery_v_.value_or(options_.battery_v);
-  pioneer::Sip sip;
-  sip.moving = wheels != WheelSpeeds{};
-  sip.x = counter(odom_from_base_.x, parameters.metres_per_count);
-  sip.y = counter(odom_from_base_.y, parameters.metres_per_count);
-  sip.heading = static_cast<std::int16_t>(std::lround(odom_from_base_.heading / parameters.radians_per_count));
-  sip.left_velocity = static_cast<std::int16_t>(std::lround(wheels.left_mps / parameters.mps_per_count));
-  sip.right_velocity = static_cast<std::int16_t>(std::lround(wheels.right_mps / parameters.mps_per_count));
-  sip.battery = static_cast<std::uint8_t>(std::clamp(std::lround(battery_v * 10.0), 0L, 255L));
-  sip.left_stalled = sip.right_stalled = is_stalled(now);
-  constexpr std::uint8_t kMiddleSegment = 1u << 2;
-  sip.front_bumpers = contact_.front ? kMiddleSegment : 0;
-  sip.rear_bumpers = contact_.rear ? kMiddleSegment : 0;
-  sip.control = sip.heading;
-  sip.flags = static_cast<std::uint16_t>(
-      (motors_on_ ? pioneer::sip_flag::kMotorsEnabled : 0) | (sonar_on_ ? pioneer::sip_flag::kSonarArray1 : 0) |
-      (sonar_on_ ? pioneer::sip_flag::kSonarArray2 : 0) | (stop_pressed_ ? pioneer::sip_flag::kStopPressed : 0));
-  sip.sonar = std::move(echoes);
-  sip.gripper_state = 0;
-  sip.analog_port = 0;
-  sip.analog = 0;
-  sip.digital_in = 0;
-  sip.digital_out = 0;
-  return pioneer::framed(pioneer::encode_sip(sip));
-}
-
-Bytes PioneerFirmware::config_packet() const {
-  const auto& parameters = options_.parameters;
-  pioneer::ConfigPacket config;
-  config.type = options_.identity.robot_class;
-  config.subtype = options_.identity.subclass;
-  config.serial_number = "SIM0001";
-  config.four_motors = parameters.skid_steer ? 1 : 0;
-  config.top_turn_rate = degrees(parameters.max_turn_rate_radps);
-  config.top_speed = milli(parameters.max_speed_mps);
-  config.top_turn_acceleration = 300;
-  config.top_acceleration = 2000;
-  config.max_pwm = 500;
-  config.name = options_.identity.name;
-  config.sip_cycle_ms =
-      static_cast<std::uint8_t>(std::min<std::int64_t>(options_.sip_cycle / std::chrono::milliseconds{1}, 255));
-  config.front_sonar = 1;
-  config.rear_sonar = 1;
-  config.low_battery = 110;
-  config.watchdog_ms = static_cast<std::uint16_t>(options_.watchdog / std::chrono::milliseconds{1});
-  config.stall_pwm = 200;
-  config.stall_count_ms = static_cast<std::uint16_t>(options_.stall_time / std::chrono::milliseconds{1});
-  config.max_turn_rate = degrees(max_turn_rate_radps_);
-  config.max_speed = milli(max_speed_mps_);
-  config.turn_acceleration = degrees(turn_acceleration_radps2_);
-  config.turn_deceleration = degrees(turn_deceleration_radps2_);
-  config.acceleration = milli(acceleration_mps2_);
-  config.deceleration = milli(deceleration_mps2_);
-  config.front_bumpers = 5;
-  config.rear_bumpers = 5;
-  config.sonar_cycle = 40;
-  config.shutdown_voltage = 105;
-  config.firmware_version = "1.0";
-  return pioneer::framed(pioneer::encode_config(config));
+void PioneerFirmware::stall(bool left, bool right, Time now) {
+  stalled_until_ = now + options_.stall_time;
+  left_stalled_ = left;
+  right_stalled_ = right;
+  speed_ = {};
 }
 
 void PioneerFirmware::press_stop(bool pressed) {

@@ -1,7 +1,6 @@
 #include "services/simulator/core/simulation.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "services/mapping/core/ray_casting.hpp"
@@ -11,24 +10,6 @@ namespace {
 
 constexpr double kSightRange_m = 3.0;
 constexpr double kRobotBodyRadius_m = 0.4;
-
-/// Sonar poses on the base of a p2at and its kin (x, y [m], heading [rad]).
-constexpr std::array<Pose2, 16> kSonars{{{0.147, 0.136, from_degrees(90)},
-                                         {0.193, 0.119, from_degrees(50)},
-                                         {0.227, 0.079, from_degrees(30)},
-                                         {0.245, 0.027, from_degrees(10)},
-                                         {0.245, -0.027, from_degrees(-10)},
-                                         {0.227, -0.079, from_degrees(-30)},
-                                         {0.193, -0.119, from_degrees(-50)},
-                                         {0.147, -0.136, from_degrees(-90)},
-                                         {-0.144, -0.136, from_degrees(-90)},
-                                         {-0.189, -0.119, from_degrees(-130)},
-                                         {-0.223, -0.079, from_degrees(-150)},
-                                         {-0.241, -0.027, from_degrees(-170)},
-                                         {-0.241, 0.027, from_degrees(170)},
-                                         {-0.223, 0.079, from_degrees(150)},
-                                         {-0.189, 0.119, from_degrees(130)},
-                                         {-0.144, 0.136, from_degrees(90)}}};
 
 }  // namespace
 
@@ -42,6 +23,7 @@ Simulation::Simulation(SimulationOptions options, Place place, const Scene& scen
       body_(options_.hull, options_.slip, scene.robot_start, Rng{options_.seed + 3}),
       map_from_base_before_(scene.robot_start),
       firmware_(options_.firmware, now),
+      base_line_(options_.seed + 5),
       camera_(options_.camera),
       ground_(place_.largest_ground(kRobotRoom_m)),
       person_(std::move(person)),
@@ -103,13 +85,29 @@ std::optional<Eigen::Vector2d> Simulation::token_in_sight() const {
   return std::nullopt;
 }
 
+void Simulation::set_base_fault(HardwareFault fault, Time now) {
+  if (fault == HardwareFault::Off) firmware_.power_cycle(now);
+  base_line_.set_fault(fault, now);
+}
+
+pioneer::Bytes Simulation::base_receive(std::span<const std::uint8_t> bytes, Time now) {
+  return base_line_.to_host(firmware_.receive(base_line_.to_controller(bytes, now), now), now);
+}
+
 pioneer::Bytes Simulation::base_report(Time now) {
+  const bool due = firmware_.is_report_due(now);
+  return base_line_.to_host(due ? firmware_.report(fire_sonars(), now) : pioneer::Bytes{}, now);
+}
+
+std::vector<pioneer::SonarEcho> Simulation::fire_sonars() {
   std::vector<pioneer::SonarEcho> echoes;
   constexpr int kSonarsPerReport = 4;
   constexpr double kNoEcho_m = 5.0;
+  const auto sonars = pioneer::sonar_poses(options_.firmware.parameters);
+  if (sonars.empty() || !firmware_.sonar_on()) return echoes;
   const auto people = bodies_of_people();
-  for (int i = 0; i < kSonarsPerReport && firmware_.sonar_on(); ++i) {
-    const Pose2 map_from_sonar = body_.map_from_base() * kSonars[next_sonar_];
+  for (int i = 0; i < kSonarsPerReport; ++i) {
+    const Pose2 map_from_sonar = body_.map_from_base() * sonars[next_sonar_];
     double range = range_to_obstacle_m(place_.map(), map_from_sonar.position(), map_from_sonar.heading, kNoEcho_m)
                        .value_or(kNoEcho_m);
     for (const auto& person : people) {
@@ -117,9 +115,9 @@ pioneer::Bytes Simulation::base_report(Time now) {
     }
     const double counts = range / options_.firmware.parameters.metres_per_range;
     echoes.push_back({static_cast<std::uint8_t>(next_sonar_), static_cast<std::uint16_t>(std::lround(counts))});
-    next_sonar_ = (next_sonar_ + 1) % kSonars.size();
+    next_sonar_ = (next_sonar_ + 1) % sonars.size();
   }
-  return firmware_.report(std::move(echoes), now);
+  return echoes;
 }
 
 std::vector<double> Simulation::scan(std::span<const Beam> beams) {

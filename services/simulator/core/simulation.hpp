@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "services/simulator/core/base_line.hpp"
 #include "services/simulator/core/camera_view.hpp"
 #include "services/simulator/core/laser_view.hpp"
 #include "services/simulator/core/obedient_person.hpp"
@@ -56,7 +57,12 @@ class Simulation {
   [[nodiscard]] std::vector<PhoneMessage> step_person(const PhoneView& view, double dt_s, Time now);
 
   [[nodiscard]] PioneerFirmware& firmware() { return firmware_; }
-  /// The standard packet that is due, with a few sonar echoes.
+  [[nodiscard]] BaseLine& base_line() { return base_line_; }
+  /// Breaks the base, or mends it; a base without power has forgotten all when it comes back.
+  void set_base_fault(HardwareFault fault, Time now);
+  /// Takes bytes from the base's host; what it gets back at once.
+  [[nodiscard]] pioneer::Bytes base_receive(std::span<const std::uint8_t> bytes, Time now);
+  /// What reaches the base's host at `now`: the standard packet if one is due, with a few sonar echoes.
   [[nodiscard]] pioneer::Bytes base_report(Time now);
   /// Ranges of a turn of the laser during the last step [m].
   [[nodiscard]] std::vector<double> scan(std::span<const Beam> beams);
@@ -72,6 +78,7 @@ class Simulation {
 
  private:
   [[nodiscard]] std::vector<Disc> bodies_of_people() const;
+  [[nodiscard]] std::vector<pioneer::SonarEcho> fire_sonars();
   [[nodiscard]] std::optional<Eigen::Vector2d> token_in_sight() const;
 
   SimulationOptions options_;
@@ -82,6 +89,7 @@ class Simulation {
   RobotBody body_;
   Pose2 map_from_base_before_;
   PioneerFirmware firmware_;
+  BaseLine base_line_;
   CameraView camera_;
   std::vector<Eigen::Vector2d> ground_;  ///< Where passers-by walk.
   std::vector<PasserBy> passers_by_;

@@ -24,6 +24,7 @@ struct SimulatorConfig {
   std::int64_t watchdog_ms = 500;  ///< Of the firmware; 2000 in the factory.
   std::int64_t sip_cycle_ms = 100;
   double battery_v = 12.8;
+  bool base_gyro = false;  ///< The controller has a gyro.
 
   std::int64_t laser_port = 10940;  ///< The laser over TCP; 0: none.
   std::string laser_pty;            ///< A link to the pseudo terminal of the laser; empty: none.
@@ -57,6 +58,7 @@ struct SimulatorConfig {
     visitor.field("watchdog_ms", watchdog_ms, Range{100, 10000});
     visitor.field("sip_cycle_ms", sip_cycle_ms, Range{25, 250});
     visitor.field("battery_v", battery_v, Range{0, 60});
+    visitor.field("base_gyro", base_gyro);
     visitor.field("laser_port", laser_port, Range{0, 65535});
     visitor.field("laser_pty", laser_pty);
     visitor.field("laser_model", laser_model, laser_models());

@@ -20,12 +20,12 @@ void BaseServer::receive_from(Connection& connection, Host host, Simulation& sim
   const auto bytes = connection.read();
   if (bytes.empty()) return;
   host_ = host;
-  send(connection, simulation.firmware().receive(bytes, now));
+  send(connection, simulation.base_receive(bytes, now));
 }
 
 void BaseServer::report(Simulation& simulation, Time now) {
-  if (!simulation.firmware().is_report_due(now)) return;
   const auto report = simulation.base_report(now);
+  if (report.empty()) return;
   if (host_ == Host::Tcp && client_) send(*client_, report);
   if (host_ == Host::Pty) send(pty_->connection(), report);
 }

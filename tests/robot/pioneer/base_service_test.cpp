@@ -131,7 +131,7 @@ TEST_F(BaseServiceTest, NoRobotAnsweringIsReportedAndNeverReady) {
   auto healths = bus.latest(topic::kServiceHealth);
   config_.device = "tcp://127.0.0.1:1";
   bus::Bus base_bus{bus::host_domain(site_, "base")};
-  BaseService service{config_, site_, base_bus, clock_, clock_};
+  BaseService service{config_, {}, site_, base_bus, clock_, clock_};
 
   ASSERT_TRUE(run_until(service, tcp_, clock_, [&] { return statuses.newest() && healths.newest(); }));
   EXPECT_FALSE(statuses.newest()->message.connected());
@@ -146,7 +146,7 @@ TEST_F(BaseServiceTest, DrivesOnCommandStopsOnRequestAndSwitchesTheMotorsOffAtTh
   Driver driver{bus, site_.robot, clock_};
   bus::EventSender stops{bus, topic::kStopRequest};
   bus::Bus base_bus{bus::host_domain(site_, "base")};
-  std::optional<BaseService> service{std::in_place, config_, site_, base_bus, clock_, clock_};
+  std::optional<BaseService> service{std::in_place, config_, MapZones{}, site_, base_bus, clock_, clock_};
   ASSERT_TRUE(run_until(*service, tcp_, clock_, [&] { return odometry.newest().has_value(); }));
   EXPECT_FALSE(tcp_.controller.motors);
 
@@ -181,6 +181,50 @@ TEST_F(BaseServiceTest, DrivesOnCommandStopsOnRequestAndSwitchesTheMotorsOffAtTh
   EXPECT_FALSE(tcp_.controller.open);
 }
 
+TEST_F(BaseServiceTest, StandsUntilTheHostHasTheMapWhoseZonesItMinds) {
+  bus::Bus bus{bus::host_domain(site_, "test")};
+  auto statuses = bus.latest(topic::kBaseStatus);
+  auto maps = bus.writer(topic::kMap);
+  auto poses = bus.writer(topic::kRobotPose);
+  Driver driver{bus, site_.robot, clock_};
+  bus::Bus base_bus{bus::host_domain(site_, "base")};
+  const MapZones zones{{{{{900.0, 0.0}, {901.0, 0.0}, {901.0, 1.0}}, 0.0}}, "abc"};
+  BaseService service{config_, zones, site_, base_bus, clock_, clock_};
+  const auto drive = [&] {
+    driver.command_and_scan();
+    msg::RobotPose pose;
+    pose.robot(site_.robot);
+    pose.stamp_ns(to_stamp_ns(clock_.now()));
+    poses.write(pose);
+  };
+  const auto stands_for = [&](msg::StopReason reason) {
+    return run_until(service, tcp_, clock_, [&] {
+      drive();
+      if (!statuses.newest() || !statuses.newest()->message.connected()) return false;
+      const auto reasons = statuses.newest()->message.stop_reasons();
+      return reasons == std::vector<msg::StopReason>{reason};
+    });
+  };
+  ASSERT_TRUE(stands_for(msg::STOP_LOST_POSE));
+  msg::OccupancyGrid map;
+  map.map_id("lab");
+  map.sha256("other");
+  maps.write(map);
+  const Time until = clock_.now() + std::chrono::seconds{1};
+  ASSERT_TRUE(run_until(service, tcp_, clock_, [&] {
+    drive();
+    return clock_.now() > until;
+  }));
+  EXPECT_EQ(tcp_.controller.actual_mmps, 0);
+
+  map.sha256("abc");
+  maps.write(map);
+  EXPECT_TRUE(run_until(service, tcp_, clock_, [&] {
+    drive();
+    return tcp_.controller.actual_mmps == 200;
+  }));
+}
+
 /// The reason of the base's own health.
 std::string reason_of_base(bus::InOrder<msg::ServiceHealth, msg::ServiceHealthPubSubType>& signs, std::string last) {
   for (const auto& sign : signs.take()) {
@@ -196,7 +240,7 @@ TEST_F(BaseServiceTest, X5TwoWhoCommandAtOnceStopTheWheelsAndAreNamed) {
   bus::Bus other_bus{bus::host_domain(site_, "navigator")};
   Driver other{other_bus, site_.robot, clock_};
   bus::Bus base_bus{bus::host_domain(site_, "base")};
-  BaseService service{config_, site_, base_bus, clock_, clock_};
+  BaseService service{config_, {}, site_, base_bus, clock_, clock_};
   ASSERT_TRUE(run_until(service, tcp_, clock_, [&] {
     driver.command_and_scan();
     return tcp_.controller.actual_mmps == 200;
@@ -230,7 +274,7 @@ TEST_F(BaseServiceTest, X6AnotherBaseOfThisRobotStopsTheWheelsUntilItIsGone) {
   auto other = bus.writer(topic::kServiceHealth);
   Driver driver{bus, site_.robot, clock_};
   bus::Bus base_bus{bus::host_domain(site_, "base")};
-  BaseService service{config_, site_, base_bus, clock_, clock_};
+  BaseService service{config_, {}, site_, base_bus, clock_, clock_};
   const auto drives = [&] {
     driver.command_and_scan();
     return tcp_.controller.actual_mmps == 200;

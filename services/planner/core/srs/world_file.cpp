@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "services/common/file_io.hpp"
+#include "services/mapping/core/map_areas.hpp"
 #include "services/planner/core/srs/boundary_file.hpp"
 #include "services/planner/core/srs/world_words.hpp"
 
@@ -122,14 +122,16 @@ NamedAreas areas_from(StrictObject object) {
 
 }  // namespace
 
-NamedAreas parse_areas(std::string_view json, const std::string& file_name) {
-  const nlohmann::json document = parse_json(json, file_name);
-  return areas_from(StrictObject{document, file_name});
-}
-
 NamedAreas load_areas_beside(const std::filesystem::path& map_yaml) {
-  const auto file = map_yaml.parent_path() / "areas.json";
-  return std::filesystem::exists(file) ? parse_areas(read_file(file), file.string()) : NamedAreas{};
+  NamedAreas areas;
+  for (auto& area : load_map_areas(map_yaml)) {
+    Polygon outline{std::move(area.corners_in_map)};
+    if (const auto problem = problem_of(PlanarShape{outline})) {
+      throw ConfigError((map_yaml.parent_path() / "areas.json").string() + ": " + area.name + ": " + *problem);
+    }
+    areas.emplace(area.name, std::move(outline));
+  }
+  return areas;
 }
 
 RewardWorld reward_world_from(StrictObject& object, const std::vector<std::string>& agents,

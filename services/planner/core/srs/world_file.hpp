@@ -15,11 +15,8 @@ namespace tandem {
 /// Areas by name.
 using NamedAreas = std::map<std::string, Polygon>;
 
-/// The areas in `json`, an object of names and their corners: {"kitchen": [[0, 0], [4, 0], [4, 3]], ...}. `file_name`
-/// stands in messages. Throws ConfigError with file and name.
-[[nodiscard]] NamedAreas parse_areas(std::string_view json, const std::string& file_name);
-
-/// The areas in areas.json in the folder of the map; none if there is no such file. Throws ConfigError or FileError.
+/// The areas in areas.json in the folder of the map, with or without a rule; none if there is no such file. Throws
+/// ConfigError or FileError.
 [[nodiscard]] NamedAreas load_areas_beside(const std::filesystem::path& map_yaml);
 
 /// The reward world in an object that may hold more: asks it for areas, sources, relations, groups, knowledge and

@@ -33,6 +33,7 @@ class FakeController {
       last_status_ = now;
       Sip sip = status;
       sip.flags = static_cast<std::uint16_t>(status.flags | (motors ? sip_flag::kMotorsEnabled : 0));
+      sip.x = static_cast<std::uint16_t>(static_cast<int>(travelled_mm / 1.32) & 0x7FFF);  // as a p2at counts
       sip.left_velocity = sip.right_velocity = static_cast<std::int16_t>(actual_mmps);
       const Bytes bytes = framed(encode_sip(sip));
       output_.insert(output_.end(), bytes.begin(), bytes.end());

@@ -26,5 +26,20 @@ TEST(RobotParameters, AreSaneForEveryModel) {
   }
 }
 
+TEST(RobotParameters, SonarsSitInPairsToTheLeftAndToTheRight) {
+  for (const auto& parameters : all_robot_parameters()) {
+    const auto sonars = sonar_poses(parameters);
+    if (sonars.empty()) continue;
+    EXPECT_EQ(sonars.size(), static_cast<std::size_t>(parameters.sonars)) << parameters.subclass;
+    EXPECT_GT(sonars[0].y, 0.0) << "the first is at the front left";
+    double sum_y = 0.0;
+    for (const auto& sonar : sonars) sum_y += sonar.y;
+    EXPECT_NEAR(sum_y, 0.0, 1e-9) << parameters.subclass;
+  }
+  EXPECT_DOUBLE_EQ(sonar_poses(*robot_parameters("p3dx"))[3].x, 0.166);
+  EXPECT_DOUBLE_EQ(sonar_poses(*robot_parameters("p2at"))[3].x, 0.245);
+  EXPECT_TRUE(sonar_poses(*robot_parameters("pion1x")).empty());
+}
+
 }  // namespace
 }  // namespace tandem::pioneer

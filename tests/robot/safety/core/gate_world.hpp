@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "robot/safety/core/safety_gate.hpp"
@@ -16,7 +17,8 @@ class GateWorld {
  public:
   static constexpr int kBeams = 181;
 
-  explicit GateWorld(const GateConfig& config = {}) : config_(config), gate_(config) {
+  explicit GateWorld(const GateConfig& config = {}, std::vector<HardZone> zones = {})
+      : config_(config), gate_(config, std::move(zones)) {
     input.base.connected = true;
     input.base.motors_enabled = true;
     input.base.battery_v = 12.5;
@@ -45,6 +47,7 @@ class GateWorld {
       input.base.odom_from_base.x += 0.05 * last.motion.forward_mps * std::cos(heading);
       input.base.odom_from_base.y += 0.05 * last.motion.forward_mps * std::sin(heading);
     }
+    if (follow_with_pose) input.pose = {.age_s = 0.0, .map_from_base = input.base.odom_from_base, .stamp = now};
     last = gate_.step(input, now);
     return last;
   }
@@ -92,6 +95,7 @@ class GateWorld {
   bool scanning = true;
   bool commanding = true;
   bool wheels_turn = true;
+  bool follow_with_pose = false;  ///< localization says where odometry is
   Time now{std::chrono::seconds{1'000'000}};
   GateDecision last;
 

@@ -62,15 +62,26 @@ TEST_F(MotionMonitorTest, AStepOfMoreThanHalfAMetreIsAJumpUnlessOdometryBeganAne
   EXPECT_FALSE(holds(base, Cause::OdometryJump));
 }
 
-TEST_F(MotionMonitorTest, WheelsThatStandStillForASecondWhenToldToTurnAreDead) {
+TEST_F(MotionMonitorTest, WheelsThatStandStillForLongWhenToldToTurnAreDead) {
   const Motion ahead{0.3, 0.0};
   bool dead = false;
-  for (int i = 0; i <= 20; ++i) dead = holds(healthy(), Cause::EncoderDead, ahead);
-  EXPECT_FALSE(dead);  // one second exactly
+  for (int i = 0; i <= 18; ++i) dead = holds(healthy(), Cause::EncoderDead, ahead);
+  EXPECT_FALSE(dead);  // 0.9 s exactly
   EXPECT_TRUE(holds(healthy(), Cause::EncoderDead, ahead));
   BaseInput moving = healthy();
-  moving.measured = ahead;
+  moving.odom_from_base.x = 0.03;
   EXPECT_FALSE(holds(moving, Cause::EncoderDead, ahead));
+}
+
+TEST_F(MotionMonitorTest, AReportThatRepeatsItselfIsDeadWhateverSpeedItTells) {
+  for (const Motion& told : {Motion{0.3, 0.0}, Motion{0.0, 0.5}}) {
+    BaseInput stuck = healthy();
+    stuck.measured = told;
+    bool dead = false;
+    for (int i = 0; i <= 22; ++i) dead = holds(stuck, Cause::EncoderDead, told);
+    EXPECT_TRUE(dead);
+    EXPECT_FALSE(holds(stuck, Cause::EncoderDead, {}));
+  }
 }
 
 TEST_F(MotionMonitorTest, OverspeedCountsOnceItLasts) {

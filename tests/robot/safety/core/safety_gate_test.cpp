@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <limits>
 #include <new>
 
 #include "tests/robot/safety/core/gate_world.hpp"
@@ -163,11 +164,28 @@ TEST(SafetyGate, StopsBeforeAWallWithoutTouchingIt) {
   EXPECT_LT(world.last.motion.forward_mps, 0.02);
 }
 
-TEST(SafetyGate, ACycleAllocatesNothing) {
-  GateWorld world;
+TEST(SafetyGate, ACycleAllocatesNothingWhateverHappens) {
+  GateWorld world{{}, {{{{3.0, -9.0}, {9.0, -9.0}, {9.0, 9.0}, {3.0, 9.0}}, 0.0}}};
+  world.follow_with_pose = true;
   world.reach_cruise();
   const std::size_t before = allocations;
-  for (int i = 0; i < 100; ++i) world.cycle();
+  world.run(5.0);
+  world.put_wall_ahead(0.3);
+  world.run(1.0);
+  world.put_person(0.5, 0.5);
+  world.input.base.front_bumpers = 1;
+  world.input.link.silent_s = 11.0;
+  world.run(1.0);
+  world.input.base.front_bumpers = 0;
+  world.input.link.silent_s = 0.0;
+  world.put_person(5.0, 5.0);
+  for (int i = 0; i < 5; ++i) world.send_command({std::numeric_limits<double>::quiet_NaN(), 0.0});
+  world.run(2.0);
+  static_cast<void>(world.gate().take_resume(1.0, world.now));
+  world.run(5.0);
+  world.kind = CommanderKind::Operator;
+  world.command = {-0.1, 0.2};
+  world.run(5.0);
   EXPECT_EQ(allocations, before);
 }
 

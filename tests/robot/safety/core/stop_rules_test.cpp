@@ -19,6 +19,9 @@ struct Fault {
 
 void once(GateWorld&) {}
 
+/// A zone that nobody comes near: where there is one, the map matters.
+const HardZone kFarZone{{{900.0, 0.0}, {901.0, 0.0}, {901.0, 1.0}}, 0.0};
+
 const std::map<Cause, Fault>& faults() {
   static const std::map<Cause, Fault> all{
       {Cause::EmergencyStop,
@@ -77,6 +80,8 @@ const std::map<Cause, Fault>& faults() {
           for (int i = 0; i < 4; ++i) w.send_command({std::numeric_limits<double>::quiet_NaN(), 0.0});
         },
         once}},
+      {Cause::OtherMap,
+       {[](GateWorld& w) { w.input.other_map = true; }, [](GateWorld& w) { w.input.other_map = false; }}},
       {Cause::StaleCommand,
        {[](GateWorld& w) { w.commanding = false; }, [](GateWorld& w) { w.commanding = true; }, 0.4}},
   };
@@ -115,7 +120,7 @@ class EachStopRule : public testing::TestWithParam<Cause> {};
 TEST_P(EachStopRule, BrakesInTimeAndResumesAsTheTableSays) {
   const Cause cause = GetParam();
   const Fault& fault = faults().at(cause);
-  GateWorld world;
+  GateWorld world{{}, {kFarZone}};
   world.reach_cruise();
   ASSERT_DOUBLE_EQ(world.last.motion.forward_mps, 0.5);
 
@@ -149,8 +154,8 @@ TEST_P(EachStopRule, BrakesInTimeAndResumesAsTheTableSays) {
 std::vector<Cause> stopping_causes() {
   std::vector<Cause> causes;
   for (const StopRule& rule : kStopRules) {
-    // Before the first connection there is no driving, and an obstacle limits rather than stops: tests of their own.
-    if (rule.cause != Cause::BaseNotThere && rule.cause != Cause::ObstacleAhead) causes.push_back(rule.cause);
+    // Before the first connection there is no driving, and what is in the way limits: tests of their own.
+    if (rule.cause != Cause::BaseNotThere && rule.resume != Resume::AtOnce) causes.push_back(rule.cause);
   }
   return causes;
 }

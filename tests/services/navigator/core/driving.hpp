@@ -25,8 +25,8 @@ inline std::vector<Wall> box(double left, double bottom, double right, double to
 /// A robot that does what it is told within its accelerations and the rules of the safety gate, in a world of walls.
 class Drive {
  public:
-  Drive(const NavigatorConfig& config, std::vector<Wall> walls, Pose2 start)
-      : config_(config), navigator_(config), walls_(std::move(walls)), pose_(start) {}
+  Drive(const NavigatorConfig& config, std::vector<Wall> walls, Pose2 start, LinkLoss link_loss = LinkLoss::Stop)
+      : config_(config), navigator_(config, link_loss), walls_(std::move(walls)), pose_(start) {}
 
   /// Accepts a plan with these points and keeps it alive from now on.
   void accept(std::vector<Eigen::Vector2d> points, const std::string& id = "plan1") {
@@ -50,6 +50,7 @@ class Drive {
     if (scanning) situation.obstacles = scan_;
     situation.velocity = velocity_;
     situation.base = base;
+    situation.link_lost = link_lost;
     const Decision decision = navigator_.decide(situation);
     move(decision.velocity);
     return decision;
@@ -75,6 +76,7 @@ class Drive {
   std::vector<Wall>& walls() { return walls_; }
 
   bool refreshing = true;
+  bool link_lost = false;
   bool localized = true;
   bool scanning = true;
   PoseQuality quality = PoseQuality::Good;

@@ -105,6 +105,41 @@ TEST(Navigator, StopsWhenThePlanIsNotRefreshed) {
   EXPECT_EQ(drive.step().execution.reason, "the planner no longer repeats its plan");
 }
 
+/// Drives 3 m of a path of 10 m and then loses the link; the planner is no longer heard either.
+void lose_the_link(Drive& drive) {
+  drive.accept({{0.0, 0.0}, {8.0, 0.0}});
+  ASSERT_TRUE(drive.drive_until(20.0, [&](const Decision&) { return drive.pose().x > 3.0; }));
+  drive.link_lost = true;
+  drive.refreshing = false;
+}
+
+TEST(Navigator, FinishesItsLegWithoutALinkWhereTheSiteSaysSo) {
+  Drive drive{kConfig, kHall, {0.0, 0.0, 0.0}, LinkLoss::FinishLeg};
+  lose_the_link(drive);
+  EXPECT_TRUE(drive.drive_to_goal(30.0));
+  EXPECT_NEAR(drive.pose().x, 8.0, 0.25);
+}
+
+TEST(Navigator, BeginsNoPlanWithoutALink) {
+  Drive drive{kConfig, kHall, {0.0, 0.0, 0.0}, LinkLoss::FinishLeg};
+  drive.link_lost = true;
+  drive.accept({{0.0, 0.0}, {8.0, 0.0}});
+  drive.refreshing = false;
+  EXPECT_FALSE(drive.drive_to_goal(10.0));
+  EXPECT_LT(drive.pose().x, 1.5) << "two seconds, until the plan is dead";
+}
+
+TEST(Navigator, RetreatsTheWayItCameAndTakesUpItsPlanOnceTheLinkIsThereAgain) {
+  Drive drive{kConfig, kHall, {0.0, 0.0, 0.0}, LinkLoss::Retreat};
+  lose_the_link(drive);
+  EXPECT_TRUE(drive.drive_to_goal(40.0));
+  EXPECT_NEAR(drive.pose().x, 0.0, 0.25);
+  drive.link_lost = false;
+  drive.refreshing = true;
+  EXPECT_TRUE(drive.drive_until(
+      60.0, [&](const Decision& decision) { return decision.execution.finished && drive.pose().x > 7.0; }));
+}
+
 TEST(Navigator, StopsWithoutPoseOrScanAndWhenThePoseIsLost) {
   for (const std::string missing : {"no pose", "no scan", "the pose is lost"}) {
     Drive drive{kConfig, kHall, {0.0, 0.0, 0.0}};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "robot/pioneer/core/config_packet.hpp"
+#include "tests/services/simulator/core/controller_on_blocks.hpp"
 
 namespace tandem::simulator {
 namespace {
@@ -10,44 +11,6 @@ namespace {
 using pioneer::Bytes;
 using pioneer::Command;
 using pioneer::command;
-
-constexpr Duration kStep = std::chrono::milliseconds{25};
-
-/// A controller on blocks: its wheels turn freely, time goes in steps of 25 ms.
-class OnBlocks {
- public:
-  explicit OnBlocks(Duration watchdog = std::chrono::milliseconds{500}) : firmware(options(watchdog), now) {}
-
-  static FirmwareOptions options(Duration watchdog) {
-    FirmwareOptions options;
-    options.parameters = *pioneer::robot_parameters("p2at");
-    options.watchdog = watchdog;
-    return options;
-  }
-
-  Bytes send(const Bytes& bytes) { return firmware.receive(bytes, now); }
-  void open() {
-    for (const auto sync : {Command::Pulse, Command::Open, Command::Close}) (void)send(command(sync));
-    (void)send(command(Command::Open));
-  }
-  /// Lets `seconds` pass; with `pulse` the host keeps the watchdog quiet.
-  void run(double seconds, bool pulse, const Moved& moved = {}) {
-    for (const Time end = now + from_seconds(seconds); now < end;) {
-      now += kStep;
-      if (pulse) (void)send(command(Command::Pulse));
-      const Pose2 motion = arc(firmware.drive(to_seconds(kStep), now), to_seconds(kStep));
-      firmware.settle(motion, moved, now);
-    }
-  }
-  pioneer::Sip sip() {
-    pioneer::PacketReceiver receiver;
-    receiver.push(firmware.report({}, now), now);
-    return *pioneer::decode_sip(*receiver.next());
-  }
-
-  Time now{};
-  PioneerFirmware firmware;
-};
 
 pioneer::Packet only_packet(const Bytes& bytes) {
   pioneer::PacketReceiver receiver;

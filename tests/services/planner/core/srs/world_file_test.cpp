@@ -7,6 +7,7 @@
 #include <set>
 
 #include "services/common/file_io.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem {
 namespace {
@@ -86,7 +87,11 @@ TEST(WorldFile, WhatIsWrittenIsReadBack) {
 }
 
 TEST(WorldFile, AreasOfTheMapHaveNamesToo) {
-  const NamedAreas areas = parse_areas(R"({"hall": [[0, 0], [9, 0], [9, 9]]})", "areas.json");
+  const test::TemporaryFolder folder;
+  write_file_atomically(folder / "areas.json", R"({"hall": [[0, 0], [9, 0], [9, 9]],
+                        "stairs": {"corners": [[0, 0], [1, 0], [1, 1]], "rule": "keep_out"}})");
+  const NamedAreas areas = load_areas_beside(folder / "map.yaml");
+  EXPECT_TRUE(areas.contains("stairs"));
   const std::string text =
       R"({"sources": [{"id": "a", "boundary": {"shape": "area", "area": "hall"}, "inside": {"per_s": 1}}]})";
   EXPECT_EQ(std::get<NamedArea>(parse_reward_world(text, "world.json", kAgents, areas).sources[0].boundary).outline,
