@@ -17,7 +17,8 @@ namespace {
 /// A controller at the other end of a pseudo terminal, which `port` in a folder of its own points to.
 class Plugged {
  public:
-  explicit Plugged(const std::filesystem::path& port, Time now) : terminal_(port), firmware_(options(), now) {}
+  explicit Plugged(const std::filesystem::path& port, Time now)
+      : terminal_(port, "base_pty"), firmware_(options(), now) {}
   void step(Time now) {
     const auto bytes = terminal_.connection().read();
     terminal_.connection().write(firmware_.receive(bytes, now));
