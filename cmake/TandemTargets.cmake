@@ -49,10 +49,14 @@ function(tandem_program name)
   add_dependencies(all_programs ${name})
 endfunction()
 
-# tandem_test(name SOURCES a_test.cpp ... LINKS lib ... [LABELS l ...] [TIMEOUT s] [SERIAL]): each TEST is a ctest test.
+# tandem_test(name SOURCES a_test.cpp ... LINKS lib ... [LABEL l] [TIMEOUT s] [SERIAL]): each TEST is a ctest test.
+# One label alone: a list would swallow the properties behind it on its way through gtest_discover_tests.
 # Programs that a test starts are named in PROGRAMS, so that they are built before it.
 function(tandem_test name)
-  cmake_parse_arguments(ARG "SERIAL" "TIMEOUT" "SOURCES;LINKS;LABELS;PROGRAMS" ${ARGN})
+  cmake_parse_arguments(ARG "SERIAL" "TIMEOUT;LABEL" "SOURCES;LINKS;PROGRAMS" ${ARGN})
+  if(ARG_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "tandem_test(${name}) does not know: ${ARG_UNPARSED_ARGUMENTS}")
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   tandem_target_defaults(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINKS} GTest::gtest_main)
@@ -66,8 +70,8 @@ function(tandem_test name)
     set(ARG_TIMEOUT 60)
   endif()
   set(properties TIMEOUT ${ARG_TIMEOUT})
-  if(ARG_LABELS)
-    list(APPEND properties LABELS "${ARG_LABELS}")
+  if(ARG_LABEL)
+    list(APPEND properties LABELS ${ARG_LABEL})
   endif()
   if(ARG_SERIAL)
     list(APPEND properties RUN_SERIAL TRUE)
