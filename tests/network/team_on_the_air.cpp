@@ -31,23 +31,22 @@ FalseStops::FalseStops(SimulatedTeam& team)
       execution_(team.robot_bus().in_order(topic::kPlanExecution)) {}
 
 void FalseStops::listen() {
-  using Phase = cli::Episode::Phase;
-  if (!runs_since_ && team_.episode().phase() == Phase::Running) runs_since_ = team_.robot_bus().clock().now();
   const auto counts = [&](Time received) {
-    return runs_since_ && received >= *runs_since_ && !team_.episode().is_over();
+    return drives_since_ && received >= *drives_since_ && !team_.episode().is_over();
   };
+  for (const auto& execution : execution_.take()) {
+    if (!drives_since_ && execution.message.moving()) drives_since_ = execution.received;
+    const bool wants_a_plan = execution.message.reason() == "the planner no longer repeats its plan";
+    if (wants_a_plan && !wanted_a_plan_ && counts(execution.received)) ++for_want_of_a_plan_;
+    wanted_a_plan_ = wants_a_plan;
+  }
   for (const auto& status : base_.take()) {
     const auto& reasons = status.message.stop_reasons();
     const auto reason = std::find_if(reasons.begin(), reasons.end(), is_false);
     const bool held_back = reason != reasons.end();
-    // What held the robot back before the search began may end a moment after its beginning: that stops nothing.
+    // Before it first drives, the hosts are still finding each other: what holds it back then stops nothing.
     if (held_back && !was_held_back_ && counts(status.received)) of_base_.push_back(*reason);
     was_held_back_ = held_back;
-  }
-  for (const auto& execution : execution_.take()) {
-    const bool wants_a_plan = execution.message.reason() == "the planner no longer repeats its plan";
-    if (wants_a_plan && !wanted_a_plan_ && counts(execution.received)) ++for_want_of_a_plan_;
-    wanted_a_plan_ = wants_a_plan;
   }
 }
 

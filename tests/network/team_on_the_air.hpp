@@ -14,7 +14,8 @@ namespace tandem::test {
 /// with the gateway.
 [[nodiscard]] TeamOptions team_on(Laboratory& lab, const std::string& robot, const std::string& laptop);
 
-/// Counts how often the robot of a team stood still for something that was not there, while its search ran.
+/// Counts how often the robot of a team was stopped by something that was not there, from its first motion to the end of
+/// its search.
 class FalseStops {
  public:
   explicit FalseStops(SimulatedTeam& team);
@@ -31,7 +32,7 @@ class FalseStops {
   SimulatedTeam& team_;
   bus::InOrder<msg::BaseStatus, msg::BaseStatusPubSubType> base_;
   bus::InOrder<msg::PlanExecution, msg::PlanExecutionPubSubType> execution_;
-  std::optional<Time> runs_since_;
+  std::optional<Time> drives_since_;
   bool was_held_back_ = true;
   bool wanted_a_plan_ = true;
   std::vector<msg::StopReason> of_base_;
