@@ -14,8 +14,8 @@ namespace tandem::test {
 /// with the gateway.
 [[nodiscard]] TeamOptions team_on(Laboratory& lab, const std::string& robot, const std::string& laptop);
 
-/// Counts how often the robot of a team was stopped by something that was not there, from its first motion to the end of
-/// its search.
+/// Counts how often the robot of a team was stopped by something that was not there, from its first motion to the end
+/// of its search.
 class FalseStops {
  public:
   explicit FalseStops(SimulatedTeam& team);
