@@ -40,13 +40,22 @@ endfunction()
 # Everything a user runs, without the tests: what `./run demo` builds.
 add_custom_target(all_programs)
 
-# tandem_program(tandem-name SOURCES main.cpp ... LINKS lib ...): lands in build/bin/.
+# tandem_program(tandem-name PACKAGE robot SOURCES main.cpp ... LINKS lib ...): lands in build/bin/, and in the package
+# tandem-robot: `tandem` itself for everyone's use, the services where only the service manager looks.
 function(tandem_program name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "PACKAGE" "SOURCES;LINKS" ${ARGN})
+  if(NOT ARG_PACKAGE MATCHES "^(common|robot|laptop|sim|tools)$")
+    message(FATAL_ERROR "tandem_program(${name}): say in which PACKAGE it is shipped")
+  endif()
   add_executable(${name} ${ARG_SOURCES})
   tandem_target_defaults(${name})
   target_link_libraries(${name} PRIVATE ${ARG_LINKS})
   add_dependencies(all_programs ${name})
+  if(name STREQUAL "tandem")
+    install(TARGETS ${name} DESTINATION usr/bin COMPONENT ${ARG_PACKAGE})
+  else()
+    install(TARGETS ${name} DESTINATION usr/lib/tandem COMPONENT ${ARG_PACKAGE})
+  endif()
 endfunction()
 
 # tandem_test(name SOURCES a_test.cpp ... LINKS lib ... [LABEL l] [TIMEOUT s] [SERIAL]): each TEST is a ctest test.

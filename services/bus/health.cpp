@@ -62,6 +62,8 @@ void HealthReporter::step(msg::HealthState state, const std::string& reason, con
   log_changes(faults);
   if (!faults.empty() && state == msg::HEALTH_OK) state = msg::HEALTH_DEGRADED;
   const std::string whole_reason = reason_with(reason, faults);
+  const bool works = state == msg::HEALTH_OK || state == msg::HEALTH_DEGRADED;
+  manager_.step(works, whole_reason.empty() ? name_of(state) : whole_reason, now);
 
   const bool changed = state != health_.state() || whole_reason != health_.reason();
   if (now < next_ && !changed) return;

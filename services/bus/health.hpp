@@ -7,11 +7,13 @@
 
 #include "services/bus/bus.hpp"
 #include "services/bus/core/service_roster.hpp"
+#include "services/common/service_manager.hpp"
 
 namespace tandem::bus {
 
-/// Says once a second, and at once on a change, how a service is. Names the peers that do wrong, in the log and as the
-/// reason of a degraded state: whoever shares a topic with them, claims the same place, or runs another version beside.
+/// Says once a second, and at once on a change, how a service is: on the bus, and to the service manager, whose watchdog
+/// thereby watches the service's loop. Names the peers that do wrong, in the log and as the reason of a degraded state:
+/// whoever shares a topic with them, claims the same place, or runs another version beside.
 class HealthReporter {
  public:
   HealthReporter(Bus& bus, const SiteConfig& site, std::string service);
@@ -28,6 +30,7 @@ class HealthReporter {
   Writer<msg::ServiceHealth, msg::ServiceHealthPubSubType> writer_;
   InOrder<msg::ServiceHealth, msg::ServiceHealthPubSubType> signs_;
   ServiceRoster roster_;
+  ServiceManager manager_;
   msg::ServiceHealth health_;
   std::set<PeerFault> here_;    ///< in the bus's own domain, when we last looked
   std::set<PeerFault> logged_;  ///< and elsewhere

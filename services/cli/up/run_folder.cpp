@@ -129,7 +129,9 @@ std::vector<ProcessPlan> processes_of(const std::string& host, const std::vector
 }
 
 fs::path program_folder() {
-  return fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path own = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path installed = own / ".." / "lib" / "tandem";
+  return fs::exists(installed / "tandem-relay") ? fs::weakly_canonical(installed) : own;
 }
 
 fs::path default_config_root() {

@@ -51,7 +51,7 @@ struct RunFolder {
                                                     const std::filesystem::path& config_folder,
                                                     const std::filesystem::path& logs);
 
-/// The folder this program lies in: where its fellows are.
+/// Where the services' programs are: beside this one, or in lib/tandem where it is installed.
 [[nodiscard]] std::filesystem::path program_folder();
 
 /// The folder with simulation/, scenarios/ and maps/: ./config, beside the build folder, or installed.
