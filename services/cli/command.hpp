@@ -28,6 +28,16 @@ class WrongUse : public std::runtime_error {
 /// The command did its work and the answer is no (damage was found, no object was found): exit code 1, nothing printed.
 class Failed : public std::exception {};
 
+/// As Failed, with an exit code that tells how bad it is.
+class Sick : public std::exception {
+ public:
+  explicit Sick(int exit_code) : exit_code_(exit_code) {}
+  [[nodiscard]] int exit_code() const { return exit_code_; }
+
+ private:
+  int exit_code_;
+};
+
 /// Ctrl-C: exit code 130, after everything half-written is gone.
 class Interrupted : public std::exception {};
 

@@ -4,6 +4,8 @@
 
 #include "services/cli/calibrate_command.hpp"
 #include "services/cli/command.hpp"
+#include "services/cli/config_command.hpp"
+#include "services/cli/doctor_command.hpp"
 #include "services/cli/import_command.hpp"
 #include "services/cli/info_command.hpp"
 #include "services/cli/localize_command.hpp"
@@ -35,6 +37,8 @@ int main(int argc, char** argv) {
   add_calibrate_command(app);
   add_plan_command(app);
   add_secure_command(app);
+  add_config_command(app);
+  add_doctor_command(app);
   add_study_command(app);
   add_topics_command(app);
 
@@ -48,6 +52,8 @@ int main(int argc, char** argv) {
     return 2;
   } catch (const Interrupted&) {
     return 130;
+  } catch (const Sick& error) {
+    return error.exit_code();
   } catch (const Failed&) {
     return EXIT_FAILURE;
   } catch (const std::exception& error) {

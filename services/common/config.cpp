@@ -179,16 +179,19 @@ class Writer final : public ConfigVisitor {
   std::string text_;
 };
 
-}  // namespace
-
-void read_config(AnyConfig& config, std::string_view toml_text, const std::string& file_name) {
-  toml::table table;
+toml::table parsed(std::string_view toml_text, const std::string& file_name) {
   try {
-    table = toml::parse(toml_text, file_name);
+    return toml::parse(toml_text, file_name);
   } catch (const toml::parse_error& error) {
     throw ConfigError(file_name + ":" + std::to_string(error.source().begin.line) + ": " +
                       std::string{error.description()});
   }
+}
+
+}  // namespace
+
+void read_config(AnyConfig& config, std::string_view toml_text, const std::string& file_name) {
+  const toml::table table = parsed(toml_text, file_name);
   Reader reader{table, file_name};
   config.visit(reader);
   reader.refuse_unknown_keys();
@@ -209,3 +212,15 @@ std::string written_config(AnyConfig& config) {
 }
 
 }  // namespace tandem::detail
+
+namespace tandem {
+
+std::map<std::string, int> config_lines(std::string_view toml) {
+  std::map<std::string, int> lines;
+  for (const auto& [key, node] : detail::parsed(toml, "config")) {
+    lines.emplace(key.str(), static_cast<int>(key.source().begin.line));
+  }
+  return lines;
+}
+
+}  // namespace tandem

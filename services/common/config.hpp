@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -79,6 +80,9 @@ template <typename Config>
   detail::read_config(any, toml, file_name);
   return config;
 }
+
+/// The top-level keys of a TOML text, each with the line it stands in. Throws ConfigError when it is no TOML.
+[[nodiscard]] std::map<std::string, int> config_lines(std::string_view toml);
 
 /// `config` as TOML, every field with its effective value; parse_config gives the same config back.
 template <typename Config>

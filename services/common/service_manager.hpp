@@ -10,8 +10,8 @@ namespace tandem {
 /// how it is. Nothing happens where no manager asked for it.
 class ServiceManager {
  public:
-  /// From the service's own loop, some times a second, so that a loop that hangs falls silent and the manager's watchdog
-  /// ends the process. `ready` may wait for hardware; once said, it stays said. `status` is for people.
+  /// From the service's own loop, some times a second, so that a loop that hangs falls silent and the manager's
+  /// watchdog ends the process. `ready` may wait for hardware; once said, it stays said. `status` is for people.
   void step(bool ready, const std::string& status, Time now);
 
  private:

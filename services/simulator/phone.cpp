@@ -21,7 +21,7 @@ class GatewayPhone final : public Phone {
     if (!app_) app_.emplace("simulated-phone-" + std::to_string(to_stamp_ns(now)), agent_);
     look_for_link(now);
     if (!client_) return {};
-    report_refusal();
+    report_trouble();
     if (client_->connections() != connections_) {
       connections_ = client_->connections();
       app_->connected_anew();
@@ -57,15 +57,21 @@ class GatewayPhone final : public Phone {
     link_text_ = text;
     client_.reset();
     connections_ = 0;
-    refusal_reported_ = false;
+    reported_.clear();
     client_ = std::make_unique<net::WebSocketClient>(*link);
     spdlog::info("phone pairs: gateway={}:{}", link->host, link->port);
   }
 
-  void report_refusal() {
-    if (refusal_reported_ || client_->state() != net::WebSocketClient::State::Refused) return;
-    refusal_reported_ = true;
-    spdlog::warn("phone refused: reason={}; waiting for a new link in {}", client_->reason(), pairing_file_);
+  void report_trouble() {
+    const std::string reason = client_->reason();
+    if (reason == reported_) return;
+    reported_ = reason;
+    if (reason.empty()) return;
+    if (client_->state() == net::WebSocketClient::State::Refused) {
+      spdlog::warn("phone refused: reason={}; waiting for a new link in {}", reason, pairing_file_);
+    } else {
+      spdlog::warn("phone without gateway: reason={}; trying again", reason);
+    }
   }
 
   void send(const std::vector<std::string>& texts) {
@@ -79,7 +85,7 @@ class GatewayPhone final : public Phone {
   std::optional<PhoneApp> app_;
   std::unique_ptr<net::WebSocketClient> client_;
   std::uint64_t connections_ = 0;
-  bool refusal_reported_ = false;
+  std::string reported_;  ///< the trouble that was told last
 };
 
 }  // namespace
