@@ -41,6 +41,8 @@ class EventSender {
     std::erase_if(unanswered_, [this](const auto& item) { return !sent_.is_pending(item.first); });
   }
   [[nodiscard]] EventOutcome outcome(const std::string& id) const { return sent_.outcome(id); }
+  /// Whether anybody listens yet: for a sender that has just begun, whose first words nobody would hear.
+  [[nodiscard]] bool is_heard() { return writer_.raw().matched_readers() > 0; }
 
  private:
   Bus& bus_;

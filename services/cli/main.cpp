@@ -14,6 +14,7 @@
 #include "services/cli/record_command.hpp"
 #include "services/cli/replay_command.hpp"
 #include "services/cli/secure_command.hpp"
+#include "services/cli/stop_command.hpp"
 #include "services/cli/study_command.hpp"
 #include "services/cli/topics_command.hpp"
 #include "services/cli/up_command.hpp"
@@ -28,6 +29,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
 
   add_up_command(app);
+  add_stop_commands(app);
   add_record_command(app);
   add_replay_command(app);
   add_info_command(app);

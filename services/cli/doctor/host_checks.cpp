@@ -19,7 +19,7 @@ Finding check_fast_dds(const std::optional<std::string>& version, bool is_patche
 
 Finding check_interface(const LinkInterface& link) {
   const std::string what = "interface of the link";
-  const std::string wanted = "an interface that is up, with an IPv4 address and an MTU of at least 1500";
+  const std::string wanted = "an interface that is up, with an IPv4 address and an MTU of at least 1280";
   if (!link.is_there) {
     return fault(what, link.name + " does not exist", wanted,
                  "set link_address in site.toml to one of `ip -brief address`");

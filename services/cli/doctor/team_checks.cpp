@@ -30,6 +30,7 @@ std::vector<Finding> check_services(const std::string& host, const std::vector<s
 
 Finding check_versions(const std::vector<bus::ServiceSign>& heard, const std::string& own_contract,
                        const std::string& own_version) {
+  if (heard.empty()) return not_applicable("versions", "no service was heard");
   std::set<std::string> others;
   for (const bus::ServiceSign& sign : heard) {
     if (sign.contract_hash != own_contract) others.insert(sign.host + "/" + sign.service + " " + sign.version);

@@ -30,6 +30,7 @@ TEST(TeamChecks, NameServicesThatAreSilentOrIll) {
 
 TEST(TeamChecks, WantOneContract) {
   EXPECT_EQ(check_versions({sign("robot1", "base", "ok")}, "abc", "0.1.0").verdict, Verdict::Ok);
+  EXPECT_EQ(check_versions({}, "abc", "0.1.0").verdict, Verdict::NotApplicable);
   bus::ServiceSign old = sign("laptop1", "planner", "ok");
   old.contract_hash = "def";
   old.version = "0.0.9";
