@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "services/cli/bundle_command.hpp"
 #include "services/cli/calibrate_command.hpp"
 #include "services/cli/command.hpp"
 #include "services/cli/config_command.hpp"
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
   add_secure_command(app);
   add_config_command(app);
   add_doctor_command(app);
+  add_bundle_command(app);
   add_study_command(app);
   add_topics_command(app);
 
