@@ -18,6 +18,7 @@
 #include "services/cli/stop_command.hpp"
 #include "services/cli/study_command.hpp"
 #include "services/cli/topics_command.hpp"
+#include "services/cli/track_command.hpp"
 #include "services/cli/up_command.hpp"
 #include "services/common/version.hpp"
 
@@ -37,6 +38,7 @@ int main(int argc, char** argv) {
   add_import_command(app);
   add_localize_command(app);
   add_map_command(app);
+  add_track_command(app);
   add_calibrate_command(app);
   add_plan_command(app);
   add_secure_command(app);

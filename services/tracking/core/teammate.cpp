@@ -23,16 +23,21 @@ void Teammate::hear(const PoseMessage& message, const PeopleTracker& people) {
   const auto distance = [&](const Track& track) {
     return (position_at(track, message.stamp) - message.point_in_map).norm();
   };
-  if (track_id_) {
-    const Track* own = people.find(*track_id_);
-    if (own != nullptr && distance(*own) <= config_.keep_gate_m) return take(*own);
-  }
-  track_id_.reset();
   const Track* nearest = nullptr;
   for (const Track& track : people.tracks()) {
     if (!track.confirmed || distance(track) > config_.message_gate_m) continue;
     if (nearest == nullptr || distance(track) < distance(*nearest)) nearest = &track;
   }
+  if (track_id_) {
+    const Track* own = people.find(*track_id_);
+    // How much likelier the finger is at the nearest than at the one they were, as a power of e.
+    const auto square = [](double value) { return value * value; };
+    const bool better = nearest != nullptr && own != nullptr && nearest->person &&
+                        square(distance(*own)) - square(distance(*nearest)) >
+                            2.0 * square(config_.message_deviation_m) * config_.renaming_evidence;
+    if (own != nullptr && distance(*own) <= config_.keep_gate_m && !better) return take(*own);
+  }
+  track_id_.reset();
   if (nearest != nullptr) return take(*nearest);
   if (evidence_ && evidence_->stamp > message.stamp) return;  // seen since the person pressed
   evidence_ = Evidence{.stamp = message.stamp,
@@ -67,15 +72,25 @@ void Teammate::look_for_track(Time time, const PeopleTracker& people) {
   const auto expected = estimate(time);
   if (!expected || expected->lost) return;  // whoever comes now may be anybody: *My pose* will tell
   const double reach = std::min(config_.reach_limit_m, 0.5 + 2.0 * expected->standard_deviation_m);
+  const double spread = 2.0 * expected->standard_deviation_m * expected->standard_deviation_m;
+  // Somebody stands where they have just said: what the laser has there is them, whatever it looks like.
+  const bool just_said = !evidence_->by_laser && expected->age_s <= config_.message_s;
   const Track* candidate = nullptr;
+  double best = 0.0;
+  double all = 0.0;
   for (const Track& track : people.tracks()) {
-    if (!track.person || (track.motion.position() - expected->map_from_agent.position()).norm() > reach) continue;
+    const double distance = (track.motion.position() - expected->map_from_agent.position()).norm();
+    if (!(just_said ? track.confirmed : track.person) || distance > reach) continue;
     // Whoever was followed already while the teammate was seen or heard of is somebody else.
     if (evidence_->by_laser && track.first_seen < evidence_->stamp) continue;
-    if (candidate != nullptr) return;  // two could be the one
+    const double likelihood = std::exp(-distance * distance / spread);
+    all += likelihood;
+    if (likelihood <= best) continue;
+    best = likelihood;
     candidate = &track;
   }
-  if (candidate != nullptr) take(*candidate);
+  // Of two that could be the one neither is taken, unless it is much the likelier.
+  if (candidate != nullptr && best >= config_.certainty * all) take(*candidate);
 }
 
 std::optional<TeammateEstimate> Teammate::estimate(Time now) const {

@@ -32,6 +32,7 @@ struct TrackingConfig {
   double message_deviation_m = 0.7;  ///< Of a person's finger on the map.
   double message_gate_m = 2.0;       ///< *My pose* names the nearest track within this,
   double keep_gate_m = 3.0;          ///< unless the one it had is within this.
+  double renaming_evidence = 2.0;    ///< unless another is likelier by e to this power.
   double message_max_age_s = 3.0;    ///< Older ones say where the person was, not where they are: refused.
   double sighted_s = 0.5;            ///< A track unseen for longer is not a sighting any more.
   double message_s = 1.0;            ///< A message is what it says for this long; then we predict.
@@ -39,6 +40,7 @@ struct TrackingConfig {
   double coast_s = 1.5;  ///< Without a plan people go on for this long as they went.
   double uncertainty_growth_mps = 0.5;
   double reach_limit_m = 3.0;       ///< A new track farther from the prediction is somebody else.
+  double certainty = 0.75;          ///< How likely a new track must be the teammate among all that could be.
   bool follow_plan = true;          ///< Predict along the person's path of the accepted plan,
   double walking_speed_mps = 0.75;  ///< at this speed,
   double plan_distance_m = 2.0;     ///< if the person was this close to it.
@@ -72,6 +74,7 @@ struct TrackingConfig {
     visitor.field("message_deviation_m", message_deviation_m, Range{0.05, 5.0});
     visitor.field("message_gate_m", message_gate_m, Range{0.1, 10.0});
     visitor.field("keep_gate_m", keep_gate_m, Range{0.1, 10.0});
+    visitor.field("renaming_evidence", renaming_evidence, Range{0.0, 20.0});
     visitor.field("message_max_age_s", message_max_age_s, Range{0.5, 60.0});
     visitor.field("sighted_s", sighted_s, Range{0.1, 5.0});
     visitor.field("message_s", message_s, Range{0.1, 10.0});
@@ -79,6 +82,7 @@ struct TrackingConfig {
     visitor.field("coast_s", coast_s, Range{0.0, 10.0});
     visitor.field("uncertainty_growth_mps", uncertainty_growth_mps, Range{0.05, 3.0});
     visitor.field("reach_limit_m", reach_limit_m, Range{0.5, 20.0});
+    visitor.field("certainty", certainty, Range{0.5, 1.0});
     visitor.field("follow_plan", follow_plan);
     visitor.field("walking_speed_mps", walking_speed_mps, Range{0.1, 3.0});
     visitor.field("plan_distance_m", plan_distance_m, Range{0.1, 10.0});

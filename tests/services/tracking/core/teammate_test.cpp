@@ -101,6 +101,36 @@ TEST(Teammate, AMessageFarFromTheTrackNamesSomebodyElse) {
   EXPECT_NEAR(scene.now().map_from_agent.x, 8.0, 0.05);
 }
 
+TEST(Teammate, AMessageThatFitsAnotherMuchBetterNamesThem) {
+  Scene scene;
+  const auto two = [](double) { return Places{{2.0, 0.0}, {4.0, 0.0}}; };
+  scene.run(1.0, two);
+  scene.teammate.hear({at(1.0), {2.0, 0.0}, {}}, scene.tracker);
+  scene.run(2.0, two);
+  scene.teammate.hear({at(2.0), {3.9, 0.0}, {}}, scene.tracker);  // 1.9 m off the one, 0.1 m off the other
+  scene.run(2.5, two);
+  EXPECT_NEAR(scene.now().map_from_agent.x, 4.0, 0.05);
+}
+
+TEST(Teammate, OfTwoNewOnesTheMuchLikelierIsTaken) {
+  Scene scene;
+  scene.run(1.0, nobody);
+  scene.teammate.hear({at(1.0), {0.0, 0.0}, {}}, scene.tracker);
+  scene.run(3.0, [](double) { return Places{{0.0, 0.2}, {0.0, -2.2}}; });
+  ASSERT_TRUE(scene.teammate.track_id());
+  EXPECT_NEAR(scene.now().map_from_agent.y, 0.2, 0.05);
+}
+
+TEST(Teammate, WhereSomebodyHasJustSaidTheyStandOneLegIsEnough) {
+  Scene scene;
+  scene.teammate.hear({at(0.0), {1.0, 0.0}, {}}, scene.tracker);
+  for (int i = 1; i <= 5; ++i) {
+    scene.tracker.update(at(0.1 * i), {{{1.1, 0.0}, 0.16, false}});
+    scene.teammate.see(at(0.1 * i), scene.tracker);
+  }
+  EXPECT_TRUE(scene.teammate.track_id());
+}
+
 TEST(Teammate, IsFoundAgainWhenComingOutFromBehindAWall) {
   Scene scene;
   const auto walker = [](double time_s) {
