@@ -6,172 +6,33 @@
 namespace tandem::protocol {
 namespace {
 
-constexpr double kFar = 1e5;                            // [m]
-constexpr double kTurn = 6.3;                           // [rad]
-constexpr double kLong = 1e12;                          // [ms]
-constexpr std::uint64_t kMany = 9'007'199'254'740'991;  // 2^53 - 1
-constexpr std::uint64_t kCells = 100'000'000;
-
-Point read_point(ObjectReader& reader) {
-  return {reader.number("x", -kFar, kFar), reader.number("y", -kFar, kFar)};
+Json json_of(const Point& point) {
+  return Json::array({point.x, point.y});
 }
 
-Hello read_hello(ObjectReader& reader) {
-  Hello hello;
-  hello.version = static_cast<int>(reader.count("version", 1, 1));
-  hello.epoch = reader.text("epoch", 1, 64);
-  const std::string role = reader.word("role", {"observer", "participant", "operator"});
-  hello.role = role == "operator"      ? UserRole::Operator
-               : role == "participant" ? UserRole::Participant
-                                       : UserRole::Observer;
-  hello.agent = reader.text("agent", 0, 64);
-  hello.robot = reader.text("robot", 0, 64);
-  hello.mode = reader.word("mode", {"human_robot", "human_human"});
-  return hello;
-}
-
-State read_state(ObjectReader& reader, std::string& reason) {
-  State state;
-  state.sequence = reader.count("sequence", 0, kMany);
-  if (reader.has("robot")) {
-    ObjectReader robot{reader.object("robot"), reason};
-    state.robot = RobotState{.position = read_point(robot),
-                             .heading = robot.number("heading", -kTurn, kTurn),
-                             .status = robot.word("status", {"ok", "uncertain", "lost"}),
-                             .age_s = robot.number("age_s", 0.0, kLong)};
-    (void)robot.complete();
-  }
-  if (reader.has("person")) {
-    ObjectReader person{reader.object("person"), reason};
-    state.person = PersonState{.position = read_point(person),
-                               .heading = person.number("heading", -kTurn, kTurn),
-                               .source = person.word("source", {"laser", "message", "predicted"}),
-                               .tracked = person.truth("tracked"),
-                               .age_s = person.number("age_s", 0.0, kLong)};
-    (void)person.complete();
-  }
-  ObjectReader planner{reader.object("planner"), reason};
-  state.planner = {planner.word("activity", {"idle", "computing", "failed", "finished", "unknown"}),
-                   planner.number("computing_s", 0.0, kLong), planner.number("progress", 0.0, 1.0),
-                   planner.text("reason", 0, 500)};
-  (void)planner.complete();
-  ObjectReader base{reader.object("base"), reason};
-  state.base.connected = base.truth("connected");
-  state.base.moving = base.truth("moving");
-  state.base.blocked = base.truth("blocked");
-  state.base.latched = base.truth("latched");
-  for (const auto& why : base.array("stop_reasons")) {
-    if (why.is_string()) {
-      state.base.stop_reasons.push_back(why.get<std::string>());
-    } else {
-      base.fail("a stop reason is not a text");
-    }
-  }
-  state.base.resume_in_s = base.number("resume_in_s", 0.0, kLong);
-  state.base.battery_v = base.number("battery_v", 0.0, 1000.0);
-  state.base.waits_for = base.text("waits_for", 0, 500);
-  (void)base.complete();
-  ObjectReader link{reader.object("link"), reason};
-  state.link = {link.word("quality", {"good", "weak", "one_way", "lost", "unknown"}),
-                link.number("round_trip_ms", 0.0, kLong)};
-  (void)link.complete();
-  state.explored = reader.number("explored", 0.0, 1.0);
-  return state;
-}
-
-/// `[a, b, ...]` of exactly `count` numbers.
-bool are_numbers(const Json& list, std::size_t count) {
-  if (!list.is_array() || list.size() != count) return false;
-  for (const auto& one : list) {
-    if (!one.is_number()) return false;
-  }
-  return true;
-}
-
-Plan read_plan(ObjectReader& reader, std::string& reason) {
-  Plan plan;
-  plan.id = reader.text("id", 0, 128);
-  plan.state = reader.word("state", {"none", "proposed", "accepted", "rejected", "superseded"});
-  plan.role = reader.word("role", {"none", "leader_follower", "peer_peer", "master_slave", "leader_leader"});
-  plan.reason = reader.text("reason", 0, 500);
-  plan.probability_found = reader.number("probability_found", 0.0, 1.0);
-  for (const auto& json : reader.array("paths")) {
-    ObjectReader one{json, reason};
-    if (!reason.empty()) return plan;
-    Path path;
-    path.agent = one.text("agent", 1, 64);
-    const Json& goal = one.array("goal");
-    if (are_numbers(goal, 2)) {
-      path.goal = {goal[0].get<double>(), goal[1].get<double>()};
-    } else {
-      one.fail("goal is not [x, y]");
-    }
-    path.goal_fixed = one.truth("goal_fixed");
-    for (const auto& point : one.array("points")) {
-      if (!are_numbers(point, 3)) {
-        one.fail("a point is not [t, x, y]");
-        break;
-      }
-      path.points.push_back({point[0].get<double>(), {point[1].get<double>(), point[2].get<double>()}});
-    }
-    (void)one.complete();
-    plan.paths.push_back(std::move(path));
-  }
-  return plan;
-}
-
-Map read_map(ObjectReader& reader) {
-  Map map;
-  map.id = reader.text("id", 0, 128);
-  map.resolution_m = reader.number("resolution_m", 1e-3, 10.0);
-  map.width = static_cast<std::uint32_t>(reader.count("width", 1, 20'000));
-  map.height = static_cast<std::uint32_t>(reader.count("height", 1, 20'000));
-  map.origin = read_point(reader);
-  map.heading = reader.number("heading", -kTurn, kTurn);
-  std::uint64_t cells = 0;
-  for (const auto& run : reader.array("runs")) {
-    const bool good = are_numbers(run, 2) && run[0].is_number_unsigned() && run[1].is_number_unsigned() &&
-                      run[0].get<std::uint64_t>() <= kCells && run[1].get<std::uint64_t>() <= 255;
-    if (!good) {
-      reader.fail("a run is not [count, value]");
-      return map;
-    }
-    map.runs.push_back({run[0].get<std::uint32_t>(), run[1].get<std::uint8_t>()});
-    cells += run[0].get<std::uint64_t>();
-  }
-  if (cells != std::uint64_t{map.width} * map.height) reader.fail("the runs do not fill the map");
-  return map;
-}
-
-Ack read_ack(ObjectReader& reader, std::string& reason) {
-  Ack ack;
-  ack.client = reader.text("client", 8, 64);
-  ack.up_to = reader.count("up_to", 0, kMany);
-  for (const auto& json : reader.array("results")) {
-    ObjectReader one{json, reason};
-    if (!reason.empty()) return ack;
-    ack.results.push_back(
-        {one.count("sequence", 1, kMany), one.word("outcome", {"applied", "refused"}), one.text("reason", 0, 500)});
-    (void)one.complete();
-  }
-  return ack;
-}
-
-Event read_event(ObjectReader& reader) {
-  Event event;
-  event.kind = reader.word("kind", {"found", "error", "inform"});
-  event.text = reader.text("text", 0, 500);
-  if (reader.has("x") || reader.has("y")) event.point_in_map = read_point(reader);
-  if (reader.has("id")) event.id = reader.text("id", 1, 128);
-  return event;
+Json json_of(const PersonState& person) {
+  Json json{{"x", person.position.x},  {"y", person.position.y},    {"heading", person.heading},
+            {"source", person.source}, {"tracked", person.tracked}, {"age_s", person.age_s}};
+  if (person.goal) json["goal"] = json_of(*person.goal);
+  return json;
 }
 
 struct Writer {
   Json operator()(const Hello& hello) const {
     return {{"type", "hello"},      {"version", hello.version},
             {"epoch", hello.epoch}, {"role", std::string{name_of(hello.role)}},
-            {"agent", hello.agent}, {"robot", hello.robot},
-            {"mode", hello.mode}};
+            {"agent", hello.agent}, {"robot", hello.robot}};
+  }
+  Json operator()(const Session& session) const {
+    const auto& rule = session.reminder;
+    return {{"type", "session"},
+            {"phase", session.phase},
+            {"mode", session.mode},
+            {"reminder",
+             {{"kind", rule.kind},
+              {"threshold_ms", rule.threshold_ms},
+              {"factor", rule.factor},
+              {"floor_ms", rule.floor_ms}}}};
   }
   Json operator()(const State& state) const {
     Json json{{"type", "state"},
@@ -199,11 +60,8 @@ struct Writer {
                        {"status", state.robot->status},
                        {"age_s", state.robot->age_s}};
     }
-    if (state.person) {
-      json["person"] = {{"x", state.person->position.x},    {"y", state.person->position.y},
-                        {"heading", state.person->heading}, {"source", state.person->source},
-                        {"tracked", state.person->tracked}, {"age_s", state.person->age_s}};
-    }
+    if (state.person) json["person"] = json_of(*state.person);
+    if (state.partner) json["partner"] = json_of(*state.partner);
     return json;
   }
   Json operator()(const Plan& plan) const {
@@ -212,13 +70,26 @@ struct Writer {
       Json points = Json::array();
       for (const auto& at : path.points) points.push_back(Json::array({at.time_s, at.point.x, at.point.y}));
       paths.push_back({{"agent", path.agent},
-                       {"goal", Json::array({path.goal.x, path.goal.y})},
+                       {"goal", json_of(path.goal)},
                        {"goal_fixed", path.goal_fixed},
                        {"points", std::move(points)}});
     }
     return {{"type", "plan"},           {"id", plan.id},         {"state", plan.state},
             {"role", plan.role},        {"reason", plan.reason}, {"probability_found", plan.probability_found},
             {"paths", std::move(paths)}};
+  }
+  Json operator()(const Sources& message) const {
+    Json sources = Json::array();
+    for (const auto& source : message.sources) {
+      Json outline = Json::array();
+      for (const auto& point : source.outline) outline.push_back(json_of(point));
+      sources.push_back({{"id", source.id},
+                         {"edit", source.edit},
+                         {"outline", std::move(outline)},
+                         {"radius_m", source.radius_m},
+                         {"targets", source.targets}});
+    }
+    return {{"type", "sources"}, {"sources", std::move(sources)}};
   }
   Json operator()(const Map& map) const {
     Json runs = Json::array();
@@ -257,34 +128,6 @@ std::string_view name_of(UserRole role) {
     default:
       return "observer";
   }
-}
-
-std::variant<ServerMessage, Malformed> parse_server_message(std::string_view text) {
-  std::string reason;
-  const auto json = parse_json(text, reason);
-  if (!json) return Malformed{reason};
-  ObjectReader reader{*json, reason};
-  const std::string type = reader.text("type", 1, 16);
-  ServerMessage message;
-  if (type == "hello") {
-    message = read_hello(reader);
-  } else if (type == "state") {
-    message = read_state(reader, reason);
-  } else if (type == "plan") {
-    message = read_plan(reader, reason);
-  } else if (type == "map") {
-    message = read_map(reader);
-  } else if (type == "ack") {
-    message = read_ack(reader, reason);
-  } else if (type == "event") {
-    message = read_event(reader);
-  } else if (type == "pong") {
-    message = Pong{reader.number("sent_at_ms", 0.0, kLong)};
-  } else {
-    reader.fail("type is none of hello, state, plan, map, ack, event, pong");
-  }
-  if (!reader.complete()) return Malformed{reason};
-  return message;
 }
 
 std::string write(const ServerMessage& message) {

@@ -2,8 +2,13 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
 #include "gateway/net/certificate.hpp"
 #include "gateway/protocol/messages.hpp"
+#include "services/common/file_io.hpp"
 
 namespace tandem::gateway {
 namespace {
@@ -20,8 +25,39 @@ Secrets real_secrets() {
 
 }  // namespace
 
-FrontDesk::FrontDesk(std::vector<std::string> names, const Clock& clock)
-    : names_(std::move(names)), clock_(clock), desk_(PairingRules{}, real_secrets()) {}
+FrontDesk::FrontDesk(std::vector<std::string> names, const std::vector<Slot>& slots, std::string sessions_file,
+                     const Clock& clock)
+    : names_(std::move(names)),
+      sessions_file_(std::move(sessions_file)),
+      clock_(clock),
+      desk_(PairingRules{}, real_secrets()) {
+  restore_sessions(slots);
+}
+
+/// A line for each session: digest, slot, end [ns].
+void FrontDesk::restore_sessions(const std::vector<Slot>& slots) {
+  if (!std::filesystem::exists(sessions_file_)) return;
+  std::istringstream lines{read_file(sessions_file_)};
+  std::string id;
+  std::string slot;
+  std::int64_t end_ns = 0;
+  while (lines >> id >> slot >> end_ns) {
+    const auto found = std::find_if(slots.begin(), slots.end(), [&](const Slot& one) { return one.name == slot; });
+    if (found != slots.end()) desk_.restore({id, slot, from_stamp_ns(end_ns)}, *found);
+  }
+}
+
+void FrontDesk::keep_sessions() const {
+  std::ostringstream lines;
+  for (const auto& session : desk_.kept(clock_.now())) {
+    lines << session.id << ' ' << session.slot << ' ' << to_stamp_ns(session.expires) << '\n';
+  }
+  try {
+    write_private_file(sessions_file_, lines.str());
+  } catch (const FileError& error) {
+    spdlog::warn("sessions not kept, phones must pair again after a restart: {}", error.what());
+  }
+}
 
 void FrontDesk::open_at(std::uint16_t port) {
   const std::lock_guard lock{mutex_};
@@ -72,6 +108,7 @@ net::HttpResponse FrontDesk::post(const net::HttpRequest& request) {
     spdlog::warn("pairing refused: address={} why={}", request.remote_address, locked ? "locked out" : "wrong token");
     return locked ? refused(429, "too many wrong tries, wait a minute") : refused(403, "used, expired or wrong link");
   }
+  keep_sessions();
   const auto& slot = outcome.paired->slot;
   spdlog::info("phone paired: slot={} agent={} address={}", slot.name, slot.agent, request.remote_address);
   return {200, "application/json", "{\"role\":\"" + std::string{protocol::name_of(slot.role)} + "\"}",

@@ -16,8 +16,10 @@ namespace tandem::gateway {
 /// Asks the pairing desk for every request of the HTTPS server. Guards it: the server has a thread of its own.
 class FrontDesk final : public net::Gatekeeper {
  public:
-  /// `clock` is the machine's, not the mission's: tokens expire in a replay too.
-  FrontDesk(std::vector<std::string> names, const Clock& clock);
+  /// `clock` is the machine's, not the mission's: tokens expire in a replay too. Phones of `slots` that an earlier
+  /// gateway let in are let in again, by what it left in `sessions_file`; a damaged one is as good as none.
+  FrontDesk(std::vector<std::string> names, const std::vector<Slot>& slots, std::string sessions_file,
+            const Clock& clock);
 
   /// The port the server got; before that nobody is let in.
   void open_at(std::uint16_t port);
@@ -34,7 +36,11 @@ class FrontDesk final : public net::Gatekeeper {
   net::Admission admit(const net::HttpRequest& request) override;
 
  private:
+  void restore_sessions(const std::vector<Slot>& slots);
+  void keep_sessions() const;
+
   std::vector<std::string> names_;
+  std::string sessions_file_;
   const Clock& clock_;
   mutable std::mutex mutex_;  ///< guards what follows
   std::optional<HostPolicy> policy_;

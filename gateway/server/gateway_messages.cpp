@@ -157,6 +157,17 @@ protocol::BaseState to_phone(const msg::BaseStatus* base, const msg::PlanExecuti
   return state;
 }
 
+protocol::Session to_phone(const msg::SessionState* session) {
+  protocol::Session shown;
+  if (session == nullptr) return shown;
+  shown.phase = word(std::array{"preparing", "running", "ended"}, session->phase());
+  if (session->mode() == "human_human") shown.mode = session->mode();
+  for (const char* kind : {"toast", "popup", "multimodal", "counters"}) {
+    if (session->reminder() == kind) shown.reminder.kind = kind;
+  }
+  return shown;
+}
+
 msg::HumanMessage to_human_message(const protocol::Command& command, const Sender& sender,
                                    std::uint64_t sequence_number) {
   msg::HumanMessage message;

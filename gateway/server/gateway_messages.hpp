@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "gateway/protocol/belief_frame.hpp"
@@ -17,6 +18,10 @@ namespace tandem::gateway {
 [[nodiscard]] protocol::Plan to_phone(const msg::TeamPlan& plan);
 [[nodiscard]] protocol::Map to_phone(const msg::OccupancyGrid& grid);
 [[nodiscard]] protocol::BeliefGrid to_phone(const msg::SearchBelief& belief, std::uint32_t revision);
+/// What is drawn; none for a source that no phone has drawn.
+[[nodiscard]] std::optional<protocol::Source> to_phone(const msg::RewardSource& source);
+/// Null: there is no session.
+[[nodiscard]] protocol::Session to_phone(const msg::SessionState* session);
 /// What the base and the navigator say about the robot's motion, one of them or none may be unknown.
 [[nodiscard]] protocol::BaseState to_phone(const msg::BaseStatus* base, const msg::PlanExecution* execution);
 
@@ -30,6 +35,11 @@ struct Sender {
 /// For the kinds that are messages to the team: poses, goals, replan. `sequence_number` counts them per agent.
 [[nodiscard]] msg::HumanMessage to_human_message(const protocol::Command& command, const Sender& sender,
                                                  std::uint64_t sequence_number);
+[[nodiscard]] msg::SourceEdit to_source_edit(const protocol::Command& command, const Sender& sender);
+[[nodiscard]] msg::BeliefEdit to_belief_edit(const protocol::Command& command, const Sender& sender);
+[[nodiscard]] msg::ReminderEvent to_reminder(const protocol::Command& command, const Sender& sender);
+/// That a layer of the map is shown or hidden, as an answer to the question of which are.
+[[nodiscard]] msg::QuestionnaireAnswer to_layer_record(const protocol::Command& command, const Sender& sender);
 [[nodiscard]] msg::PoseHint to_pose_hint(const protocol::Command& command, const Sender& sender);
 [[nodiscard]] msg::ObjectDetection to_detection(const protocol::Command& command, const Sender& sender);
 [[nodiscard]] msg::StopRequest to_stop_request(const Sender& sender);

@@ -1,9 +1,9 @@
 #include "gateway/server/gateway_service.hpp"
 
 #include <spdlog/spdlog.h>
-#include <sys/stat.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <type_traits>
 
 #include "gateway/net/pairing_link.hpp"
@@ -21,6 +21,7 @@ constexpr Duration kRenewBefore = from_seconds(60.0);  // a link that is read no
 constexpr Duration kComeBack = from_seconds(30.0);     // a phone that lost its link gets so long
 constexpr std::uint16_t kMovedToOtherPhone = 4001;
 constexpr std::uint16_t kMalformed = 4002;
+constexpr const char* kPartner = "partner";
 
 std::vector<std::string> names_of(const GatewayConfig& config) {
   std::vector<std::string> names{"localhost", "127.0.0.1", "tandem.local"};
@@ -37,11 +38,14 @@ net::HttpsServer::Options server_options(const GatewayConfig& config) {
   return options;
 }
 
-/// Only this user may read it: whoever has the link has the phone's rights.
-void write_private_file(const std::string& file, const std::string& content) {
-  const mode_t before = umask(0077);
-  write_file_atomically(file, content);
-  umask(before);
+/// Whose phones there are; the second person's only if there is one.
+std::vector<Slot> slots_of(const GatewayConfig& config, const SiteConfig& site) {
+  using protocol::UserRole;
+  std::vector<Slot> slots{{"participant", UserRole::Participant, site.agent, true},
+                          {"observer", UserRole::Observer, "", false},
+                          {"operator", UserRole::Operator, site.agent, true}};
+  if (!config.partner.empty()) slots.push_back({kPartner, UserRole::Participant, config.partner, true});
+  return slots;
 }
 
 }  // namespace
@@ -52,7 +56,9 @@ GatewayService::GatewayService(const GatewayConfig& config, const SiteConfig& si
       site_(site),
       machine_clock_(machine_clock),
       epoch_(net::random_hex(8)),
-      desk_(names_of(config), machine_clock),
+      mission_clock_(mission_clock),
+      desk_(names_of(config), slots_of(config, site),
+            (std::filesystem::path{config.state_folder} / "sessions").string(), machine_clock),
       certificate_(net::load_or_create_certificate(config.state_folder, names_of(config))),
       server_(server_options(config), certificate_, web_assets(), desk_),
       team_(bus, site),
@@ -60,10 +66,14 @@ GatewayService::GatewayService(const GatewayConfig& config, const SiteConfig& si
       health_(bus, site, "gateway"),
       pacer_(from_seconds(1.0 / config.state_rate_hz), from_seconds(1.0)) {
   desk_.open_at(server_.port());
-  using protocol::UserRole;
-  links_ = {{{"participant", UserRole::Participant, site.agent, true}, config.participant_link_file, true, false, {}},
-            {{"observer", UserRole::Observer, "", false}, config.observer_link_file, false, false, {}},
-            {{"operator", UserRole::Operator, site.agent, true}, config.operator_link_file, false, false, {}}};
+  for (const auto& slot : slots_of(config, site)) {
+    const bool participant = slot.name == "participant";
+    const std::string& file = participant               ? config.participant_link_file
+                              : slot.name == kPartner   ? config.partner_link_file
+                              : slot.name == "observer" ? config.observer_link_file
+                                                        : config.operator_link_file;
+    links_.push_back({slot, file, participant, false, {}});
+  }
   renew_links();
 }
 
@@ -101,18 +111,20 @@ void GatewayService::step() {
 void GatewayService::greet(net::SocketId socket, const std::string& session) {
   const Slot slot = desk_.slot_of(session);
   phones_.insert_or_assign(
-      socket, Phone{session, slot, RateLimit{kCommandsPerSecond, kCommandBurst, machine_clock_.now()}, 0, ""});
+      socket, Phone{session, slot, RateLimit{kCommandsPerSecond, kCommandBurst, machine_clock_.now()}, 0, {}, ""});
   spdlog::info("phone connected: slot={} agent={} phones={}", slot.name, slot.agent, phones_.size());
   protocol::Hello hello;
   hello.epoch = epoch_;
   hello.role = slot.role;
-  hello.agent = site_.agent;
+  hello.agent = slot.agent.empty() ? site_.agent : slot.agent;
   hello.robot = site_.robot;
   server_.send(socket, protocol::write(protocol::ServerMessage{hello}));
   if (!team_.map().data.empty()) server_.send_latest(socket, "map", team_.map().data);
   if (!team_.plan().data.empty()) server_.send_latest(socket, "plan", team_.plan().data);
+  server_.send_latest(socket, "session", session_text(slot));
+  if (!team_.sources().data.empty()) server_.send_latest(socket, "sources", team_.sources().data);
   if (!team_.belief().data.empty()) server_.send_latest(socket, "belief", team_.belief().data, true);
-  if (pacer_.last()) server_.send_latest(socket, "state", protocol::write(protocol::ServerMessage{*pacer_.last()}));
+  if (pacer_.last()) server_.send_latest(socket, "state", state_text(*pacer_.last(), slot));
   if (team_.found()) server_.send(socket, protocol::write(protocol::ServerMessage{*team_.found()}));
   if (const auto inform = team_.waiting_inform()) {
     server_.send(socket, protocol::write(protocol::ServerMessage{*inform}));
@@ -133,16 +145,18 @@ void GatewayService::handle(net::SocketId socket, Phone& phone, const std::strin
         if constexpr (std::is_same_v<Message, protocol::Command>) {
           handle(socket, phone, message);
         } else if constexpr (std::is_same_v<Message, protocol::Ping>) {
+          (void)phone.transit.late_ms(message.sent_at_ms, machine_clock_.now());
           server_.send_latest(socket, "pong",
                               protocol::write(protocol::ServerMessage{protocol::Pong{message.sent_at_ms}}));
         } else if constexpr (std::is_same_v<Message, protocol::GotIt>) {
           if (phone.slot.agent == site_.agent) team_.got_it(message.id);
-        }  // Seen and Trigger are for the records of a study.
+        }  // Seen is for the records of a study.
       },
       std::get<protocol::ClientMessage>(parsed));
 }
 
-void GatewayService::handle(net::SocketId socket, Phone& phone, const protocol::Command& command) {
+void GatewayService::handle(net::SocketId socket, Phone& phone, protocol::Command command) {
+  if (command.sent_at_ms) command.age_ms += phone.transit.late_ms(*command.sent_at_ms, machine_clock_.now());
   phone.client = command.client;
   switch (ledger_.arrive(command.client, command.sequence)) {
     case CommandLedger::Arrival::Duplicate:
@@ -155,19 +169,66 @@ void GatewayService::handle(net::SocketId socket, Phone& phone, const protocol::
     case CommandLedger::Arrival::New:
       break;
   }
-  std::optional<std::string> refusal = refusal_of(phone.slot.role, command.kind, team_.search_is_running());
-  if (!refusal) refusal = refusal_of(command);
-  if (!refusal && command.point_in_map && !team_.is_on_map(*command.point_in_map)) refusal = "outside the map";
-  const bool is_stop = command.kind == protocol::CommandKind::Stop;
-  if (!refusal && !is_stop && !phone.limit.allows(machine_clock_.now())) refusal = "too many at once";
-  if (refusal) {
+  if (const auto refusal = refusal_of(phone, command)) {
     const protocol::Result result{command.sequence, "refused", *refusal};
     ledger_.settle(command.client, result);
     spdlog::info("command refused: kind={} slot={} id={} why={}", protocol::name_of(command.kind), phone.slot.name,
                  event_id_of(command), *refusal);
     return acknowledge(command.client, {result});
   }
-  bridge_.submit(command, phone.slot.agent);
+  if (!is_without_robot() || !is_between_people(command.kind)) return bridge_.submit(command, phone.slot.agent);
+  bridge_.record(command, phone.slot.agent);
+  people_.note(phone.slot.agent, command, mission_clock_.now() - from_seconds(command.age_ms / 1000.0));
+  const protocol::Result result{command.sequence, "applied", ""};
+  ledger_.settle(command.client, result);
+  acknowledge(command.client, {result});
+}
+
+std::optional<std::string> GatewayService::refusal_of(Phone& phone, const protocol::Command& command) {
+  const bool is_running = session_.phase == "running";
+  if (auto refusal = gateway::refusal_of(phone.slot.role, command.kind, is_running)) return refusal;
+  if (auto refusal = gateway::refusal_of(command)) return refusal;
+  if (command.point_in_map && !team_.is_on_map(*command.point_in_map)) return "outside the map";
+  for (const auto& corner : command.drawing ? command.drawing->outline : std::vector<protocol::Point>{}) {
+    if (!team_.is_on_map(corner)) return "outside the map";
+  }
+  const bool is_stop = command.kind == protocol::CommandKind::Stop;
+  if (!is_stop && !phone.limit.allows(machine_clock_.now())) return "too many at once";
+  const bool is_record =
+      command.kind == protocol::CommandKind::Reminder || command.kind == protocol::CommandKind::Layer;
+  if (is_without_robot() && !is_stop && !is_record && !is_between_people(command.kind)) {
+    return "there is no robot in this search";
+  }
+  return std::nullopt;
+}
+
+protocol::Session GatewayService::session_now() const {
+  protocol::Session session = team_.session();
+  if (!config_.mode.empty()) session.mode = config_.mode;
+  if (!config_.reminder.empty()) session.reminder.kind = config_.reminder;
+  session.reminder.threshold_ms = 1000.0 * config_.reminder_threshold_s;
+  session.reminder.factor = config_.reminder_factor;
+  session.reminder.floor_ms = 1000.0 * config_.reminder_floor_s;
+  return session;
+}
+
+std::string GatewayService::session_text(const Slot& slot) const {
+  protocol::Session session = session_;
+  if (slot.name == kPartner) session.reminder.kind = config_.partner_reminder;
+  return protocol::write(protocol::ServerMessage{session});
+}
+
+std::string GatewayService::state_text(const protocol::State& state, const Slot& slot) {
+  return protocol::write(protocol::ServerMessage{slot.name == kPartner ? mirrored(state) : state});
+}
+
+protocol::State GatewayService::state_now() const {
+  protocol::State state = team_.state();
+  if (!is_without_robot()) return state;
+  const Time now = mission_clock_.now();
+  state.person = people_.state_of(site_.agent, now);
+  state.partner = people_.state_of(config_.partner, now);
+  return state;
 }
 
 void GatewayService::acknowledge(const std::string& client, std::vector<protocol::Result> results) {
@@ -184,16 +245,20 @@ void GatewayService::send_to_all(const protocol::ServerMessage& message) {
 }
 
 void GatewayService::show_team() {
+  const protocol::Session session = session_now();
+  const bool session_changed = session != session_;
+  session_ = session;
   for (const auto& [socket, phone] : phones_) {
+    if (session_changed) server_.send_latest(socket, "session", session_text(phone.slot));
     if (team_.map().changed) server_.send_latest(socket, "map", team_.map().data);
     if (team_.plan().changed) server_.send_latest(socket, "plan", team_.plan().data);
+    if (team_.sources().changed) server_.send_latest(socket, "sources", team_.sources().data);
     if (team_.belief().changed) server_.send_latest(socket, "belief", team_.belief().data, true);
   }
   for (const auto& event : team_.events()) send_to_all(event);
   if (phones_.empty()) return;
-  if (const auto state = pacer_.next(team_.state(), machine_clock_.now())) {
-    const std::string text = protocol::write(protocol::ServerMessage{*state});
-    for (const auto& [socket, phone] : phones_) server_.send_latest(socket, "state", text);
+  if (const auto state = pacer_.next(state_now(), machine_clock_.now())) {
+    for (const auto& [socket, phone] : phones_) server_.send_latest(socket, "state", state_text(*state, phone.slot));
   }
 }
 

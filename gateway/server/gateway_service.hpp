@@ -11,6 +11,8 @@
 #include "gateway/server/core/gateway_config.hpp"
 #include "gateway/server/core/rate_limit.hpp"
 #include "gateway/server/core/state_pacer.hpp"
+#include "gateway/server/core/transit.hpp"
+#include "gateway/server/core/two_people.hpp"
 #include "gateway/server/front_desk.hpp"
 #include "gateway/server/team_view.hpp"
 #include "services/bus/health.hpp"
@@ -34,6 +36,7 @@ class GatewayService {
     Slot slot;
     RateLimit limit;
     int strikes = 0;
+    Transit transit{};
     std::string client;  ///< known from its first command
   };
   struct LinkFile {
@@ -46,7 +49,15 @@ class GatewayService {
 
   void greet(net::SocketId socket, const std::string& session);
   void handle(net::SocketId socket, Phone& phone, const std::string& text);
-  void handle(net::SocketId socket, Phone& phone, const protocol::Command& command);
+  void handle(net::SocketId socket, Phone& phone, protocol::Command command);
+  /// Why `command` of `phone` is not carried out, for people.
+  [[nodiscard]] std::optional<std::string> refusal_of(Phone& phone, const protocol::Command& command);
+  [[nodiscard]] bool is_without_robot() const { return session_.mode == "human_human"; }
+  /// What the bus says, and what the configuration knows better.
+  [[nodiscard]] protocol::Session session_now() const;
+  [[nodiscard]] protocol::State state_now() const;
+  [[nodiscard]] std::string session_text(const Slot& slot) const;
+  [[nodiscard]] static std::string state_text(const protocol::State& state, const Slot& slot);
   void acknowledge(const std::string& client, std::vector<protocol::Result> results);
   void send_to_all(const protocol::ServerMessage& message);
   void show_team();
@@ -56,6 +67,7 @@ class GatewayService {
   SiteConfig site_;
   const Clock& machine_clock_;
   std::string epoch_;
+  const Clock& mission_clock_;
   FrontDesk desk_;
   net::Certificate certificate_;
   net::HttpsServer server_;
@@ -63,6 +75,8 @@ class GatewayService {
   CommandBridge bridge_;
   bus::HealthReporter health_;
   StatePacer pacer_;
+  protocol::Session session_;  ///< as the phones know it
+  TwoPeople people_;
   CommandLedger ledger_;
   std::map<net::SocketId, Phone> phones_;
   std::vector<LinkFile> links_;

@@ -37,16 +37,18 @@ TeamView::TeamView(bus::Bus& bus, const SiteConfig& site)
       base_statuses_(bus.latest(topic::kBaseStatus)),
       link_statuses_(bus.latest(topic::kLinkStatus)),
       plans_(bus.latest(topic::kTeamPlan)),
+      reward_sources_(bus.latest(topic::kRewardSource)),
       beliefs_(bus.latest(topic::kBelief)),
       sessions_(bus.latest(topic::kSession)),
       detections_(bus.in_order(topic::kDetection)),
       informs_(bus, topic::kInform, "gateway") {}
 
 void TeamView::step() {
-  map_.changed = plan_.changed = belief_.changed = false;
+  map_.changed = plan_.changed = sources_.changed = belief_.changed = false;
   events_.clear();
   read_map();
   read_plan();
+  read_sources();
   read_belief();
   read_events();
 }
@@ -70,6 +72,15 @@ void TeamView::read_plan() {
     plan_ = {protocol::write(protocol::ServerMessage{protocol::Plan{}}), true};
     shown_plan_id_.clear();
   }
+}
+
+void TeamView::read_sources() {
+  protocol::Sources drawn;
+  for (const auto& source : reward_sources_.each()) {
+    if (auto shown = to_phone(source.message)) drawn.sources.push_back(std::move(*shown));
+  }
+  std::string text = protocol::write(protocol::ServerMessage{std::move(drawn)});
+  if (text != sources_.data) sources_ = {std::move(text), true};
 }
 
 void TeamView::read_belief() {
@@ -130,9 +141,9 @@ protocol::State TeamView::state() const {
   return state;
 }
 
-bool TeamView::search_is_running() const {
+protocol::Session TeamView::session() const {
   const auto session = newest_of(sessions_, [this](const auto& one) { return one.robot() == site_.robot; });
-  return session && session->message.phase() == msg::SESSION_RUNNING;
+  return to_phone(session ? &session->message : nullptr);
 }
 
 bool TeamView::is_on_map(const protocol::Point& point) const {

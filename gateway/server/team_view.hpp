@@ -22,7 +22,8 @@ class TeamView {
   void step();
 
   [[nodiscard]] protocol::State state() const;
-  [[nodiscard]] bool search_is_running() const;
+  /// As the bus says it.
+  [[nodiscard]] protocol::Session session() const;
   /// False only for a point that is certainly off the map.
   [[nodiscard]] bool is_on_map(const protocol::Point& point) const;
 
@@ -33,6 +34,7 @@ class TeamView {
   };
   [[nodiscard]] const Shown& map() const { return map_; }
   [[nodiscard]] const Shown& plan() const { return plan_; }
+  [[nodiscard]] const Shown& sources() const { return sources_; }
   [[nodiscard]] const Shown& belief() const { return belief_; }  ///< binary
   /// What happened since the last step.
   [[nodiscard]] const std::vector<protocol::Event>& events() const { return events_; }
@@ -46,6 +48,7 @@ class TeamView {
  private:
   void read_map();
   void read_plan();
+  void read_sources();
   void read_belief();
   void read_events();
 
@@ -59,6 +62,7 @@ class TeamView {
   bus::Latest<msg::BaseStatus, msg::BaseStatusPubSubType> base_statuses_;
   bus::Latest<msg::LinkStatus, msg::LinkStatusPubSubType> link_statuses_;
   bus::Latest<msg::TeamPlan, msg::TeamPlanPubSubType> plans_;
+  bus::Latest<msg::RewardSource, msg::RewardSourcePubSubType> reward_sources_;
   bus::Latest<msg::SearchBelief, msg::SearchBeliefPubSubType> beliefs_;
   bus::Latest<msg::SessionState, msg::SessionStatePubSubType> sessions_;
   bus::InOrder<msg::ObjectDetection, msg::ObjectDetectionPubSubType> detections_;
@@ -66,6 +70,7 @@ class TeamView {
 
   Shown map_;
   Shown plan_;
+  Shown sources_;
   Shown belief_;
   std::vector<protocol::Event> events_;
   std::optional<protocol::Event> found_;

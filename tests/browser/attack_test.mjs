@@ -4,14 +4,39 @@
 import { spawn } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import https from "node:https";
+import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import tls from "node:tls";
 import { parseArgs } from "node:util";
 
+const require = createRequire(new URL("../../gateway/web/package.json", import.meta.url));
+const { WebSocket } = require("ws");
+
 const { values: options } = parseArgs({ options: { build: { type: "string" } } });
 const folder = mkdtempSync(join(tmpdir(), "tandem-attack-"));
 const children = [];
+
+/** A phone that may have any manners. `heard` holds what came, `closed` the code of the end. */
+function openSocket(port, cookie) {
+  const socket = new WebSocket(`wss://localhost:${port}/ws`, "tandem.v1",
+    { rejectUnauthorized: false, origin: `https://localhost:${port}`, headers: { Cookie: cookie } });
+  const phone = { socket, heard: [], closed: undefined };
+  socket.on("message", (data, isBinary) => isBinary || phone.heard.push(JSON.parse(data)));
+  socket.on("close", (code) => (phone.closed = code));
+  socket.on("error", () => undefined);
+  return phone;
+}
+
+const command = (sequence, kind, more = {}) =>
+  JSON.stringify({ type: "cmd", client: "attacker-1", sequence, kind, age_ms: 0, ...more });
+
+/** The fate of the command of this number. */
+function fateOf(phone, sequence) {
+  return until(`the fate of command ${sequence}`, () =>
+    phone.heard.filter((one) => one.type === "ack").flatMap((one) => one.results)
+      .find((one) => one.sequence === sequence));
+}
 
 function start(program, args) {
   const child = spawn(join(options.build, program), args, { stdio: ["ignore", "pipe", "ignore"] });
@@ -63,6 +88,75 @@ function expect(what, actual, wanted) {
   console.log(`${good ? "ok  " : "FAIL"} ${what}: ${actual}${good ? "" : `, not ${wanted}`}`);
 }
 
+/** What phones that are let in try: rights they have not, sizes, rates, repetitions, texts that are none. */
+async function misbehave(port, participant, observer) {
+  const looks = openSocket(port, observer);
+  await until("the observer is let in", () => looks.heard.length > 0);
+  let number = 0;
+  const outline = [[1, 1]];
+  for (const [kind, more] of [["my_pose", { x: 1, y: 1 }], ["my_goal", { x: 1, y: 1 }], ["robot_goal", { x: 1, y: 1 }],
+    ["robot_pose", { x: 1, y: 1 }], ["replan"], ["clear_my_goal"], ["clear_robot_goal"], ["found", { x: 1, y: 1 }],
+    ["resume", { held_ms: 2000 }], ["source_edit", { edit: "avoid", outline, strength: "very", target: "robot" }],
+    ["belief_edit", { edit: "not_here", outline, strength: "very" }],
+    ["reminder", { reminder: "toast", threshold_ms: 1 }], ["layer", { layer: "belief", shown: true }]]) {
+    looks.socket.send(command((number += 1), kind, more));
+    expect(`an observer's ${kind}`, (await fateOf(looks, number)).outcome, "refused");
+  }
+  looks.socket.close();
+
+  const huge = openSocket(port, participant);
+  await until("the participant is let in", () => huge.heard.length > 0);
+  huge.socket.send("x".repeat(17 * 1024));
+  await until("it is closed", () => huge.closed !== undefined);
+  expect("a message of 17 kB", huge.closed, 1009);
+
+  const binary = openSocket(port, participant);
+  await until("the participant is let in", () => binary.heard.length > 0);
+  binary.socket.send(Buffer.from([1, 2, 3]));
+  await until("it is closed", () => binary.closed !== undefined);
+  expect("a binary message", binary.closed, 1003);
+
+  const rude = openSocket(port, participant);
+  await until("the participant is let in", () => rude.heard.length > 0);
+  for (const text of ["{", '{"type":"cmd","__proto__":1}', "[".repeat(3000)]) rude.socket.send(text);
+  await until("it is closed", () => rude.closed !== undefined);
+  expect("three texts that are no messages", rude.closed, 4002);
+
+  const fast = openSocket(port, participant);
+  await until("the participant is let in", () => fast.heard.length > 0);
+  const sent = 80;
+  const client = { client: "attacker-2" };
+  for (let i = 1; i <= sent; i += 1) fast.socket.send(command(i, "my_pose", { x: 1e4, y: 1e4, ...client }));
+  const late = await fateOf(fast, sent);
+  expect("the eightieth command of a burst", late.outcome, "refused");
+  expect("a held Resume that was not held", await (async () => {
+    fast.socket.send(command(sent + 1, "resume", { held_ms: 10, ...client }));
+    return (await fateOf(fast, sent + 1)).reason;
+  })(), "hold for one second");
+  expect("a command of an hour ago", await (async () => {
+    fast.socket.send(command(sent + 2, "robot_goal", { x: 1, y: 1, ...client, age_ms: 3_600_000 }));
+    return (await fateOf(fast, sent + 2)).reason;
+  })(), "too old, it waited for the connection");
+  fast.socket.send(command(sent + 9, "replan", client));
+  const gap = await until("the gap is told", () => fast.heard.find((one) => one.type === "event"));
+  expect("a number after a gap", gap.text, `a command before number ${sent + 9} is missing`);
+  fast.heard.length = 0;
+  fast.socket.send(command(sent + 2, "replan", client)); // the number of another command: that one's fate comes again
+  expect("a number for the second time", (await fateOf(fast, sent + 2)).reason, "too old, it waited for the connection");
+  fast.socket.close();
+}
+
+/** A head that never ends is waited for as long as the limit says. */
+function slowHead(port) {
+  return new Promise((resolve) => {
+    const from = performance.now();
+    const socket = tls.connect({ host: "127.0.0.1", port, rejectUnauthorized: false }, () => socket.write("GET / HT"));
+    socket.on("close", () => resolve((performance.now() - from) / 1000));
+    socket.on("error", () => undefined);
+    socket.resume();
+  });
+}
+
 async function run() {
   const fake = start("tests/fake_team", []);
   const first = await new Promise((resolve) => fake.stdout.once("data", (chunk) => resolve(String(chunk))));
@@ -74,7 +168,8 @@ async function run() {
   writeFileSync(
     join(folder, "config/gateway.toml"),
     `address = "127.0.0.1"\nport = 0\nprint_qr_code = false\nstate_folder = "${folder}/state"\n` +
-      `participant_link_file = "${linkFile}"\nconnections_per_address = 32\n`,
+      `participant_link_file = "${linkFile}"\nconnections_per_address = 32\n` +
+      `observer_link_file = "${join(folder, "observer_link")}"\n`,
   );
   start("bin/tandem-gateway", ["--config", join(folder, "config")]);
   await until("the link is written", () => existsSync(linkFile));
@@ -119,6 +214,13 @@ async function run() {
   expect("a socket with a made-up cookie", (await socket({ Origin: origin, Cookie: "__Host-sid=" + "0".repeat(64) })).status, 401);
   expect("a socket of another protocol", (await socket({ Origin: origin, "Sec-WebSocket-Protocol": "chat" })).status, 400);
   expect("a socket at another path", (await socket({ Origin: origin }, "/")).status, 400);
+
+  const observerLink = new URL(readFileSync(join(folder, "observer_link"), "utf8").trim());
+  const observerToken = new URLSearchParams(observerLink.hash.slice(1)).get("t");
+  const observer = await pair(JSON.stringify({ token: observerToken }));
+  await misbehave(port, cookie.Cookie, observer.headers["set-cookie"][0].split(";")[0]);
+  const seconds = await slowHead(port);
+  expect("a head that never ends is cut after 5 s", seconds > 4 && seconds < 12, true);
 
   expect("the token a second time", (await pair(good)).status, 403);
   const statuses = [];

@@ -1,18 +1,27 @@
 // A robot and its services as the gateway sees them, for the browser test: a room, two poses, a plan after Replan, and
-// wheels that a stop request stops. Prints what it is told as JSON lines; the first line is {"domain": N}.
-#include <cmath>
+// wheels that a stop request stops. Prints what it is told as JSON lines; the first line is {"domain": N}. Takes lines:
+//
+//   lose | track | silent | speak | session PHASE MODE REMINDER
+//
+// The robot loses the person or finds them again; no pose is said any more; the session is another one.
+#include <poll.h>
+#include <unistd.h>
+
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string>
 
 #include "services/bus/events.hpp"
 #include "services/common/stop_signal.hpp"
+#include "tests/browser/fake_messages.hpp"
 #include "tests/support/domain_lease.hpp"
 
 using namespace tandem;
+using test::point;
 
 namespace {
 
@@ -32,21 +41,51 @@ class FakeTeam {
         team_plan_(bus.writer(topic::kTeamPlan)),
         belief_(bus.writer(topic::kBelief)),
         ground_truth_(bus.writer(topic::kGroundTruth)),
+        reward_sources_(bus.writer(topic::kRewardSource)),
+        sessions_(bus.writer(topic::kSession)),
         informs_(bus, topic::kInform, from_seconds(60.0)),
         to_planner_(bus, topic::kHumanMessage, "planner"),
         to_tracker_(bus, topic::kHumanMessage, "tracker"),
         stops_(bus, topic::kStopRequest, "base"),
         resumes_(bus, topic::kResumeRequest, "base"),
         hints_(bus, topic::kPoseHint, "localization"),
-        detections_(bus, topic::kDetection, "planner") {
-    send_map();
+        detections_(bus, topic::kDetection, "planner"),
+        source_edits_(bus, topic::kSourceEdit, "planner"),
+        belief_edits_(bus, topic::kBeliefEdit, "planner"),
+        reminders_(bus, topic::kReminder, "recorder"),
+        answers_(bus, topic::kQuestionnaireAnswer, "recorder") {
+    map_.write(test::fake_room());
+  }
+
+  /// Does what a line of standard input says.
+  void obey(const std::string& line) {
+    std::istringstream words{line};
+    std::string word;
+    words >> word;
+    if (word == "lose") lost_ = true;
+    if (word == "track") lost_ = false;
+    if (word == "silent") silent_ = true;
+    if (word == "speak") silent_ = false;
+    if (word == "session") {
+      std::string phase;
+      msg::SessionState session;
+      session.robot("robot1");
+      session.code("fake");
+      words >> phase >> session.mode() >> session.reminder();
+      session.phase(phase == "running" ? msg::SESSION_RUNNING
+                    : phase == "ended" ? msg::SESSION_ENDED
+                                       : msg::SESSION_PREPARING);
+      sessions_.write(session);
+    }
   }
 
   void step() {
     const Time now = bus_.clock().now();
     hear(now);
     if (computing_since_ && now - *computing_since_ > from_seconds(1.5)) {
-      make_plan(now);
+      computing_since_.reset();
+      planned_at_ = now;
+      plan_ = test::fake_plan(++plans_, person_.value_or(point(4, 3)), goals_, now);
       inform(now);
     }
     if (moving()) travelled_m_ += kSpeedMps * to_seconds(now - last_step_);
@@ -61,9 +100,13 @@ class FakeTeam {
     for (const auto& message : to_tracker_.take()) to_tracker_.applied(message.id());
     for (const auto& message : to_planner_.take()) {
       const auto& at = message.point_in_map();
-      std::cout << R"({"human_message":)" << message.kind() << R"(,"x":)" << at.x() << R"(,"y":)" << at.y() << "}"
-                << std::endl;
+      std::cout << R"({"human_message":)" << message.kind() << R"(,"x":)" << at.x() << R"(,"y":)" << at.y()
+                << R"(,"agent":")" << message.agent() << R"(","id":")" << message.id() << "\"}" << std::endl;
       if (message.kind() == msg::HUMAN_MY_POSE) person_ = at;
+      if (message.kind() == msg::HUMAN_MY_GOAL) goals_.person = at;
+      if (message.kind() == msg::HUMAN_ROBOT_GOAL) goals_.robot = at;
+      if (message.kind() == msg::HUMAN_CLEAR_MY_GOAL) goals_.person.reset();
+      if (message.kind() == msg::HUMAN_CLEAR_ROBOT_GOAL) goals_.robot.reset();
       if (message.kind() == msg::HUMAN_REPLAN) computing_since_ = now;
       to_planner_.applied(message.id());
     }
@@ -77,6 +120,18 @@ class FakeTeam {
       stopped_ = false;
       resumes_.applied(request.id());
     }
+    hear_edits();
+    for (const auto& event : reminders_.take()) {
+      std::cout << R"({"reminder":")" << event.kind() << R"(","fired":)" << event.fired() << R"(,"obeyed":)"
+                << event.obeyed() << R"(,"threshold_s":)" << event.threshold_s() << R"(,"stamp_s":)" << std::fixed
+                << 1e-9 * static_cast<double>(event.stamp_ns()) << std::defaultfloat << "}" << std::endl;
+      reminders_.applied(event.id());
+    }
+    for (const auto& answer : answers_.take()) {
+      std::cout << R"({"question":")" << answer.question() << R"(","answer":")" << answer.answer() << "\"}"
+                << std::endl;
+      answers_.applied(answer.id());
+    }
     informs_.step();
     if (!told_.empty() && informs_.outcome(told_).state == bus::EventOutcome::State::Applied) {
       std::cout << R"({"got_it":true})" << std::endl;
@@ -89,63 +144,25 @@ class FakeTeam {
     }
   }
 
-  /// A room of 24 x 16 m with columns, at 0.1 m.
-  void send_map() {
-    msg::OccupancyGrid grid;
-    grid.map_id("fake room");
-    grid.resolution_m(0.1);
-    grid.width(240);
-    grid.height(160);
-    std::vector<std::uint8_t> cells(240 * 160, 0);
-    for (int row = 0; row < 160; ++row) {
-      for (int column = 0; column < 240; ++column) {
-        const bool wall =
-            row < 3 || row >= 157 || column < 3 || column >= 237 || (row > 95 && row < 99 && column < 150);
-        const bool pillar = row % 40 > 17 && row % 40 < 24 && column % 40 > 17 && column % 40 < 24 && row < 90;
-        if (wall || pillar) cells[static_cast<std::size_t>(row * 240 + column)] = 100;
+  void hear_edits() {
+    for (const auto& edit : source_edits_.take()) {
+      std::cout << R"({"source_edit":)" << edit.kind() << R"(,"corners":)" << edit.boundary_in_map().size()
+                << R"(,"strength":")" << edit.strength() << R"(","targets":)" << edit.targets().size() << "}"
+                << std::endl;
+      msg::RewardSource gone;
+      gone.id(edit.source_id());
+      if (edit.kind() == msg::EDIT_REMOVE) {
+        reward_sources_.dispose(gone);
+      } else {
+        reward_sources_.write(test::fake_source(edit));
       }
+      source_edits_.applied(edit.id());
     }
-    grid.cells(cells);
-    map_.write(grid);
-  }
-
-  static msg::Point2 point(double x, double y) {
-    msg::Point2 at;
-    at.x(x);
-    at.y(y);
-    return at;
-  }
-
-  void make_plan(Time now) {
-    computing_since_.reset();
-    planned_at_ = now;
-    ++plans_;
-    const auto path = [&](const char* agent, const std::vector<msg::Point2>& points) {
-      msg::PlannedPath one;
-      one.agent(agent);
-      double time_s = 0.0;
-      for (const auto& at : points) {
-        msg::TimedPoint timed;
-        timed.stamp_ns(to_stamp_ns(now + from_seconds(time_s)));
-        timed.x_m(at.x());
-        timed.y_m(at.y());
-        one.points().push_back(timed);
-        time_s += 10.0;
-      }
-      one.goal_in_map(points.back());
-      return one;
-    };
-    plan_.robot("robot1");
-    plan_.id("plan-" + std::to_string(plans_));
-    plan_.planner("fake");
-    plan_.stamp_ns(to_stamp_ns(now));
-    plan_.valid_until_ns(to_stamp_ns(now + from_seconds(600.0)));
-    plan_.state(msg::PLAN_ACCEPTED);
-    plan_.role(msg::ROLE_PEER_PEER);
-    plan_.probability_found(0.6);
-    plan_.reason("both sides of the columns");
-    plan_.paths({path("robot1", {point(2, 2), point(2, 4.2), point(13, 4.2), point(18, 7)}),
-                 path("person1", {person_, point(person_.x(), 8.5), point(20, 8.5), point(20, 13)})});
+    for (const auto& edit : belief_edits_.take()) {
+      std::cout << R"({"belief_edit":)" << edit.kind() << R"(,"corners":)" << edit.boundary_in_map().size()
+                << R"(,"strength":")" << edit.strength() << "\"}" << std::endl;
+      belief_edits_.applied(edit.id());
+    }
   }
 
   void inform(Time now) {
@@ -160,6 +177,7 @@ class FakeTeam {
   }
 
   void say(Time now) {
+    if (silent_) return;
     const auto stamp = to_stamp_ns(now);
     msg::Pose pose;
     pose.x(2.0 + std::max(0.0, travelled_m_ - 2.2));
@@ -179,71 +197,22 @@ class FakeTeam {
     ground_truth_.write(truth);
 
     if (++beats_ % 5 != 0) return;
-    msg::TeammateState person;
-    person.agent("person1");
-    person.robot("robot1");
-    person.stamp_ns(stamp);
-    msg::Pose person_pose;
-    person_pose.x(person_.x());
-    person_pose.y(person_.y());
-    person.map_from_agent(person_pose);
-    person.source(msg::SOURCE_MESSAGE);
-    person.state(msg::TRACK_TRACKED);
-    teammates_.write(person);
+    say_how_it_goes(now, stamp);
+    if (planned_at_) team_plan_.write(plan_);
+    if (beats_ % 20 == 0) belief_.write(test::fake_belief(travelled_m_, stamp));
+  }
 
+  void say_how_it_goes(Time now, std::int64_t stamp) {
+    if (person_) teammates_.write(test::fake_teammate(*person_, lost_, stamp));
     msg::PlannerStatus status;
     status.robot("robot1");
     status.stamp_ns(stamp);
     status.activity(computing_since_ ? msg::PLANNER_COMPUTING : msg::PLANNER_IDLE);
     status.computing_s(computing_since_ ? to_seconds(now - *computing_since_) : 0.0);
     planner_status_.write(status);
-
-    msg::BaseStatus base;
-    base.robot("robot1");
-    base.stamp_ns(stamp);
-    base.connected(true);
-    base.motors_enabled(true);
-    base.battery_v(12.6);
-    base.latched(stopped_);
-    if (stopped_) base.stop_reasons({msg::STOP_REQUESTED});
-    base_status_.write(base);
-
-    msg::PlanExecution execution;
-    execution.robot("robot1");
-    execution.stamp_ns(stamp);
-    execution.moving(moving());
-    execution_.write(execution);
-
-    msg::LinkStatus link;
-    link.host("laptop1");
-    link.peer("robot1");
-    link.up(true);
-    link.round_trip_s(0.004);
-    link_status_.write(link);
-
-    if (planned_at_) team_plan_.write(plan_);
-    if (beats_ % 20 == 0) send_belief(stamp);
-  }
-
-  void send_belief(std::int64_t stamp) {
-    msg::SearchBelief belief;
-    belief.robot("robot1");
-    belief.stamp_ns(stamp);
-    belief.resolution_m(0.5);
-    belief.width(48);
-    belief.height(32);
-    belief.origin_in_map(point(0, 0));
-    std::vector<std::uint8_t> cells;
-    for (int row = 0; row < 32; ++row) {
-      for (int column = 0; column < 48; ++column) {
-        const double away = std::hypot(0.5 * column - 17.0, 0.5 * row - 7.0);
-        const bool seen = column < 10 + static_cast<int>(travelled_m_) && row < 18;
-        cells.push_back(seen ? 0 : static_cast<std::uint8_t>(254.0 * std::exp(-away / 8.0)));
-      }
-    }
-    belief.cells(cells);
-    belief.explored(std::min(1.0, 0.1 + travelled_m_ / 40.0));
-    belief_.write(belief);
+    base_status_.write(test::fake_base_status(stopped_, stamp));
+    execution_.write(test::fake_execution(moving(), stamp));
+    link_status_.write(test::fake_link_status());
   }
 
   template <class PubSubType>
@@ -262,6 +231,8 @@ class FakeTeam {
   WriterOf<msg::TeamPlanPubSubType> team_plan_;
   WriterOf<msg::SearchBeliefPubSubType> belief_;
   WriterOf<msg::GroundTruthPubSubType> ground_truth_;
+  WriterOf<msg::RewardSourcePubSubType> reward_sources_;
+  WriterOf<msg::SessionStatePubSubType> sessions_;
   bus::EventSender<msg::Inform, msg::InformPubSubType> informs_;
   std::string told_;  ///< what the person has not taken notice of
   ReceiverOf<msg::HumanMessagePubSubType> to_planner_;
@@ -270,7 +241,14 @@ class FakeTeam {
   ReceiverOf<msg::ResumeRequestPubSubType> resumes_;
   ReceiverOf<msg::PoseHintPubSubType> hints_;
   ReceiverOf<msg::ObjectDetectionPubSubType> detections_;
-  msg::Point2 person_ = point(4, 3);
+  ReceiverOf<msg::SourceEditPubSubType> source_edits_;
+  ReceiverOf<msg::BeliefEditPubSubType> belief_edits_;
+  ReceiverOf<msg::ReminderEventPubSubType> reminders_;
+  ReceiverOf<msg::QuestionnaireAnswerPubSubType> answers_;
+  std::optional<msg::Point2> person_;
+  test::FakeGoals goals_;
+  bool lost_ = false;
+  bool silent_ = false;
   msg::TeamPlan plan_;
   std::optional<Time> computing_since_;
   std::optional<Time> planned_at_;
@@ -281,9 +259,19 @@ class FakeTeam {
   int beats_ = 0;
 };
 
+/// The line that waits on standard input; none if there is none.
+std::optional<std::string> waiting_line() {
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  std::string line;
+  const bool waits = std::cin.rdbuf()->in_avail() > 0 || poll(&input, 1, 0) > 0;
+  if (!waits || !std::getline(std::cin, line)) return std::nullopt;
+  return line;
+}
+
 }  // namespace
 
 int main() try {
+  std::ios::sync_with_stdio(false);  // or nobody can tell whether a line waits
   const test::DomainLease domains{1};
   bus::DomainOptions options;
   options.domain = domains[0];
@@ -294,6 +282,7 @@ int main() try {
   const StopSignal stop;
   SteadyClock clock;
   for (Metronome beat{clock, from_seconds(0.05)}; !stop.requested(); beat.wait([&] { return stop.requested(); })) {
+    if (const auto line = waiting_line()) team.obey(*line);
     team.step();
   }
   return EXIT_SUCCESS;

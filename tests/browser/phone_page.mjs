@@ -7,16 +7,18 @@ const { chromium } = require("playwright-core");
 export const kPersonPath = [0xd5, 0x5e, 0x00];
 export const kRobotPath = [0x00, 0x72, 0xb2];
 
-export function launch(executablePath) {
+/** With the hash of a public key (base64 of SHA-256) the browser trusts that certificate as a lab's phone does. */
+export function launch(executablePath, trustedKey) {
   return chromium.launch({
     executablePath,
-    args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+    args: [...(trustedKey === undefined ? [] : [`--ignore-certificate-errors-spki-list=${trustedKey}`]),
+      "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
       "--disable-component-update", "--disable-sync"],
   });
 }
 
-/** A phone-sized page; `complaints` gathers whatever it has to complain about. */
-export async function openPhone(browser) {
+/** A page as large as a phone, or as `options` of Playwright say; `complaints` gathers what it complains about. */
+export async function openPhone(browser, options = {}) {
   const context = await browser.newContext({
     viewport: { width: 412, height: 915 },
     deviceScaleFactor: 2,
@@ -24,14 +26,25 @@ export async function openPhone(browser) {
     isMobile: true,
     ignoreHTTPSErrors: true,
     locale: "en-GB",
+    ...options,
   });
   const page = await context.newPage();
+  page.setDefaultTimeout(15_000);
   const complaints = [];
   page.on("console", (message) => {
-    if (message.type() === "error") complaints.push(message.text());
+    // A certificate that is not trusted, as on a guest's phone: the page does without a service worker.
+    if (message.type() === "error" && !/service ?worker|when fetching the script/i.test(message.text())) complaints.push(message.text());
   });
   page.on("pageerror", (error) => complaints.push(error.message));
   return { page, complaints };
+}
+
+/** Opens `link` and taps through to the search. */
+export async function join(page, link) {
+  await page.goto(link);
+  await page.locator("button.primary").tap();
+  await page.locator('.strip:not(.unlinked) [data-name="link"]:is(.good, .busy)').waitFor();
+  await page.locator("canvas[data-view]").waitFor();
 }
 
 const mapOf = (page) => page.locator("canvas.map-canvas");

@@ -88,6 +88,58 @@ async function replans(page, wheels) {
   await picture(page, "searching");
 }
 
+async function placeGoal(page, tool) {
+  const place = await phone.placeForAPerson(page, 3.0, 7.0);
+  await page.locator(`[data-tool="${tool}"]`).tap();
+  await phone.tapMap(page, place);
+}
+
+/** Who fixes whose goal makes the role (paper 6): a plan for each, and the chip says so. */
+async function takesRoles(page) {
+  const chip = page.locator('[data-name="role"]');
+  const becomes = async (role) => {
+    await page.locator(".replan").tap();
+    await until(`the role is "${role}"`, async () => (await chip.innerText()) === role, 60);
+    check(`role: ${role}`, true);
+  };
+  await until("without goals the robot leads", async () => (await chip.innerText()) === "Robot leads", 60);
+  await placeGoal(page, "robot_goal");
+  await becomes("Each leads");
+  await placeGoal(page, "my_goal");
+  await becomes("You lead");
+  await placeGoal(page, "robot_goal");
+  await page.locator(".toast button").filter({ hasText: "Undo" }).tap();
+  await becomes("As peers");
+}
+
+/** The planner takes what is drawn on the map and what is said of the object, and gives back what it made of it. */
+async function drawsAndSays(page) {
+  const begin = async (edit) => {
+    await page.locator('[data-tool="more"]').tap();
+    await page.locator(`.sheet [data-edit="${edit}"]`).tap();
+  };
+  const settled = () => page.evaluate(() => JSON.parse(localStorage.getItem("tandem.outbox")).waiting.length === 0);
+  for (const [edit, away_m] of [["likely_here", 4], ["pass_through", 2.5], ["avoid", 6]]) {
+    const place = await phone.placeForAPerson(page, away_m, away_m + 4);
+    await begin(edit);
+    await phone.tapMap(page, place);
+    await page.locator('[data-button="send"]').tap();
+    await until(`the fate of ${edit} is known`, settled);
+    const bad = await page.locator(".toast.bad").filter({ hasText: "Not done" }).allInnerTexts();
+    check(`${edit} was not refused: ${bad.join()}`, bad.length === 0);
+  }
+  await begin("stay_behind");
+  await until("the fate of stay_behind is known", settled);
+  await page.locator('[data-tool="more"]').tap();
+  await until("all that is drawn is listed", async () => (await page.locator(".drawn").count()) === 3);
+  for (let left = 3; left > 0; left -= 1) {
+    await page.locator(".drawn button").first().tap();
+    await until("it is taken away", async () => (await page.locator(".drawn").count()) < left);
+  }
+  await page.locator(".sheet .close").tap();
+  check("what is drawn is kept until it is taken away", true);
+}
+
 async function isTold(page, heard) {
   const gotIt = page.locator(".toast.inform button");
   await gotIt.waitFor();
@@ -140,6 +192,8 @@ async function run() {
     await placesMyPose(page, system.heard);
     await replans(page, wheels);
     if (isFake) await isTold(page, system.heard);
+    await takesRoles(page);
+    await drawsAndSays(page);
     await stops(page, wheels);
     await goesOn(page, wheels);
     check(`the page complains about nothing: ${complaints.join("; ")}`, complaints.length === 0);

@@ -10,7 +10,7 @@ const children = [];
 
 /** Starts `program`; `lines` holds what it has printed so far, `ended` its exit code or signal. */
 export function start(program, args = []) {
-  const child = spawn(program, args, { stdio: ["ignore", "pipe", "inherit"] });
+  const child = spawn(program, args, { stdio: ["pipe", "pipe", "inherit"] });
   const started = { program, child, lines: [], ended: undefined };
   let rest = "";
   child.stdout.on("data", (chunk) => {
@@ -22,6 +22,13 @@ export function start(program, args = []) {
   child.on("exit", (code, signal) => (started.ended = code ?? signal));
   children.push(started);
   return started;
+}
+
+/** Ends `started` as a crash does, and waits until it is gone. */
+export async function kill(started) {
+  children.splice(children.indexOf(started), 1);
+  started.child.kill("SIGKILL");
+  while (started.ended === undefined) await new Promise((resolve) => setTimeout(resolve, 5));
 }
 
 export async function until(what, condition, seconds = 20) {

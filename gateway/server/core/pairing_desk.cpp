@@ -52,6 +52,18 @@ std::optional<PairingDesk::Session> PairingDesk::session_of(const std::string& s
   return Session{found->first, found->second.slot};
 }
 
+std::vector<PairingDesk::Kept> PairingDesk::kept(Time now) const {
+  std::vector<Kept> kept;
+  for (const auto& [id, open] : sessions_) {
+    if (now < open.expires) kept.push_back({id, open.slot.name, open.expires});
+  }
+  return kept;
+}
+
+void PairingDesk::restore(const Kept& session, const Slot& slot) {
+  sessions_.insert_or_assign(session.id, Open{slot, session.expires});
+}
+
 std::vector<std::string> PairingDesk::take_ended() {
   return std::exchange(ended_, {});
 }

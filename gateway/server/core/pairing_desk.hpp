@@ -64,6 +64,17 @@ class PairingDesk {
     Slot slot;
   };
   [[nodiscard]] std::optional<Session> session_of(const std::string& secret, Time now) const;
+  /// The open sessions, for a gateway that is started again: what is kept of them opens nothing by itself.
+  struct Kept {
+    std::string id;
+    std::string slot;
+    Time expires;
+
+    friend bool operator==(const Kept&, const Kept&) = default;
+  };
+  [[nodiscard]] std::vector<Kept> kept(Time now) const;
+  /// Opens a session of an earlier desk again, in today's `slot` of its name.
+  void restore(const Kept& session, const Slot& slot);
   /// Ids of the sessions that were ended by another phone since the last call.
   [[nodiscard]] std::vector<std::string> take_ended();
 

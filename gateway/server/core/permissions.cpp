@@ -17,7 +17,7 @@ struct Row {
   Allowed experimenter;
 };
 
-constexpr std::array<Row, 10> kTable{{
+constexpr std::array<Row, 14> kTable{{
     {CommandKind::MyPose, Allowed::Never, Allowed::Always, Allowed::Always},
     {CommandKind::MyGoal, Allowed::Never, Allowed::Always, Allowed::Always},
     {CommandKind::RobotGoal, Allowed::Never, Allowed::Always, Allowed::Always},
@@ -28,6 +28,10 @@ constexpr std::array<Row, 10> kTable{{
     {CommandKind::Found, Allowed::Never, Allowed::Always, Allowed::Always},
     {CommandKind::Stop, Allowed::Always, Allowed::Always, Allowed::Always},
     {CommandKind::Resume, Allowed::Never, Allowed::Always, Allowed::Always},
+    {CommandKind::SourceEdit, Allowed::Never, Allowed::Always, Allowed::Always},
+    {CommandKind::BeliefEdit, Allowed::Never, Allowed::Always, Allowed::Always},
+    {CommandKind::Reminder, Allowed::Never, Allowed::Always, Allowed::Always},
+    {CommandKind::Layer, Allowed::Never, Allowed::Always, Allowed::Always},
 }};
 
 Allowed allowed(const Row& row, UserRole role) {
@@ -60,7 +64,8 @@ std::optional<std::string> refusal_of(UserRole role, CommandKind kind, bool sear
 }
 
 std::optional<std::string> refusal_of(const protocol::Command& command) {
-  if (command.kind == CommandKind::Stop) return std::nullopt;
+  const bool is_record = command.kind == CommandKind::Reminder || command.kind == CommandKind::Layer;
+  if (command.kind == CommandKind::Stop || is_record) return std::nullopt;
   if (command.kind == CommandKind::Resume && command.held_ms < kResumeHoldMs) return "hold for one second";
   const bool is_pose = command.kind == CommandKind::MyPose || command.kind == CommandKind::RobotPose;
   const bool motion = command.kind == CommandKind::Resume;

@@ -20,7 +20,8 @@ inline constexpr double kPoseLifeMs = 3000.0;
 /// What else is older than this may not be wanted any more [ms].
 inline constexpr double kWishLifeMs = 15'000.0;
 
-/// Why `command` is refused for what it is, whoever sends it: too old, not held long enough. Stop never is.
+/// Why `command` is refused for what it is, whoever sends it: too old, not held long enough. Stop never is, nor is
+/// what only tells what happened on the phone.
 [[nodiscard]] std::optional<std::string> refusal_of(const protocol::Command& command);
 
 }  // namespace tandem::gateway

@@ -14,10 +14,11 @@ protocol::State essence(protocol::State state) {
     state.robot->position = {round_to(state.robot->position.x, 0.01), round_to(state.robot->position.y, 0.01)};
     state.robot->heading = round_to(state.robot->heading, 0.0175);
   }
-  if (state.person) {
-    state.person->age_s = 0.0;
-    state.person->position = {round_to(state.person->position.x, 0.01), round_to(state.person->position.y, 0.01)};
-    state.person->heading = round_to(state.person->heading, 0.0175);
+  for (auto* person : {&state.person, &state.partner}) {
+    if (!*person) continue;
+    (*person)->age_s = 0.0;
+    (*person)->position = {round_to((*person)->position.x, 0.01), round_to((*person)->position.y, 0.01)};
+    (*person)->heading = round_to((*person)->heading, 0.0175);
   }
   state.planner.computing_s = 0.0;
   state.planner.progress = 0.0;

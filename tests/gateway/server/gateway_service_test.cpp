@@ -1,126 +1,9 @@
 #include "gateway/server/gateway_service.hpp"
 
-#include <gtest/gtest.h>
-
-#include <chrono>
-#include <filesystem>
-#include <functional>
-
-#include "gateway/net/websocket_client.hpp"
-#include "services/common/file_io.hpp"
-#include "tests/support/domain_lease.hpp"
-#include "tests/support/temporary_folder.hpp"
+#include "tests/gateway/server/gateway_fixture.hpp"
 
 namespace tandem::gateway {
 namespace {
-
-using net::WebSocketClient;
-using protocol::CommandKind;
-
-/// The whole gateway on a bus of its own, with one phone and the services that answer it, in one thread.
-class GatewayServiceTest : public testing::Test {
- protected:
-  GatewayServiceTest()
-      : bus_(options(domains_[0])),
-        stops_(bus_, topic::kStopRequest, "base"),
-        to_planner_(bus_, topic::kHumanMessage, "planner"),
-        to_tracker_(bus_, topic::kHumanMessage, "tracker") {
-    start_gateway();
-  }
-  ~GatewayServiceTest() override { gateway_.reset(); }
-
-  /// A gateway that ran before has ended by then.
-  void start_gateway() {
-    gateway_.reset();
-    GatewayConfig config;
-    config.address = "127.0.0.1";
-    config.port = 0;
-    config.link_host = "127.0.0.1";
-    config.state_folder = folder_.path();
-    config.participant_link_file = folder_ / "participant";
-    config.observer_link_file = folder_ / "observer";
-    SiteConfig site;
-    site.host = "laptop1";
-    site.role = "laptop";
-    gateway_.emplace(config, site, bus_, clock_, clock_);
-  }
-
-  static bus::DomainOptions options(int domain) {
-    bus::DomainOptions options;
-    options.domain = domain;
-    options.participant = "gateway-test";
-    return options;
-  }
-
-  WebSocketClient::Options patient() const {
-    WebSocketClient::Options options;
-    options.retry = std::chrono::seconds{60};
-    return options;
-  }
-  net::PairingLink link(const char* slot) const { return *net::parse_pairing_link(read_file(folder_ / slot)); }
-
-  /// Lets everybody work until `condition` holds, 10 s at most: at the gateway's beat, and when there is news of
-  /// `source`, a phone or the bus.
-  template <typename Source>
-  bool eventually(Source& source, const std::function<bool()>& condition) {
-    constexpr std::chrono::milliseconds kBeat{10};
-    for (const auto end = std::chrono::steady_clock::now() + std::chrono::seconds{10};
-         std::chrono::steady_clock::now() < end; source.wait(kBeat)) {
-      gateway_->step();
-      for (const auto& stop : stops_.take()) {
-        stop_requests_.push_back(stop);
-        stops_.applied(stop.id());
-      }
-      for (const auto& message : to_planner_.take()) {
-        human_messages_.push_back(message);
-        to_planner_.applied(message.id());
-      }
-      for (const auto& message : to_tracker_.take()) to_tracker_.applied(message.id());
-      if (condition()) return true;
-    }
-    return false;
-  }
-
-  /// Collects what `phone` gets until a message satisfies `wanted`.
-  template <typename Message>
-  std::optional<Message> hear(WebSocketClient& phone, const std::function<bool(const Message&)>& wanted) {
-    std::optional<Message> found;
-    eventually(phone, [&] {
-      for (const auto& text : phone.take()) {
-        const auto parsed = protocol::parse_server_message(text);
-        const auto* message = std::get_if<protocol::ServerMessage>(&parsed);
-        if (message == nullptr) {
-          ADD_FAILURE() << "the gateway sent " << text;
-          continue;
-        }
-        const auto* one = std::get_if<Message>(message);
-        if (one != nullptr && wanted(*one)) found = *one;
-      }
-      return found.has_value();
-    });
-    return found;
-  }
-
-  static std::string command(std::uint64_t sequence, CommandKind kind, std::optional<protocol::Point> at = {}) {
-    protocol::Command one;
-    one.client = "phone-0001";
-    one.sequence = sequence;
-    one.kind = kind;
-    one.point_in_map = at;
-    return protocol::write(protocol::ClientMessage{one});
-  }
-
-  test::DomainLease domains_{1};
-  test::TemporaryFolder folder_;
-  bus::Bus bus_;
-  SteadyClock clock_;
-  bus::EventReceiver<msg::StopRequest, msg::StopRequestPubSubType> stops_;
-  bus::EventReceiver<msg::HumanMessage, msg::HumanMessagePubSubType> to_planner_;
-  bus::EventReceiver<msg::HumanMessage, msg::HumanMessagePubSubType> to_tracker_;
-  std::vector<msg::StopRequest> stop_requests_;
-  std::vector<msg::HumanMessage> human_messages_;
-  std::optional<GatewayService> gateway_;
-};
 
 TEST_F(GatewayServiceTest, CarriesAPoseToTheTeamAndTheirReceiptBack) {
   WebSocketClient phone{link("participant"), patient()};
@@ -148,6 +31,21 @@ TEST_F(GatewayServiceTest, CoversACommandOnlyWhenItsFateIsKnown) {
   ASSERT_TRUE(applied);
   EXPECT_EQ(applied->results[0], (protocol::Result{2, "applied", ""}));
   EXPECT_EQ(applied->up_to, 0u);
+}
+
+TEST_F(GatewayServiceTest, NoMessageOvertakesTheOneBefore) {
+  answers_ = false;
+  WebSocketClient phone{link("participant"), patient()};
+  ASSERT_TRUE(hear<protocol::Hello>(phone, [](const auto&) { return true; }));
+  ASSERT_TRUE(phone.send(command(1, CommandKind::MyGoal, protocol::Point{1.0, 1.0})));
+  ASSERT_TRUE(phone.send(command(2, CommandKind::MyGoal, protocol::Point{2.0, 2.0})));
+  ASSERT_TRUE(phone.send(protocol::write(protocol::ClientMessage{protocol::Ping{7.0}})));
+  ASSERT_TRUE(hear<protocol::Pong>(phone, [](const auto&) { return true; }));  // the gateway has read both
+  ASSERT_TRUE(eventually(bus_, [&] { return !human_messages_.empty(); }));
+  EXPECT_EQ(human_messages_.size(), 1u);
+  answers_ = true;
+  ASSERT_TRUE(eventually(bus_, [&] { return human_messages_.size() == 2; }));
+  EXPECT_DOUBLE_EQ(human_messages_[1].point_in_map().x(), 2.0);
 }
 
 TEST_F(GatewayServiceTest, ACommandThatComesAgainToANewGatewayIsTheSameEvent) {

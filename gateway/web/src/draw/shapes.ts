@@ -1,4 +1,5 @@
 import type { PointOnScreen } from "../units";
+import type { Palette } from "./palette";
 
 /** Okabe-Ito and Tol hues; everything also differs by shape, for those who do not tell colours apart. */
 export const kPerson = "#117733";
@@ -7,6 +8,10 @@ export const kRobot = "#0072B2";
 export const kMyGoal = "#D55E00";
 export const kRobotGoal = "#56B4E9";
 const kInk = "#111418";
+export const kPartner = "#CC79A7";
+/** Of what is drawn: places to keep out of, and places that pay. */
+export const kAvoid = "#C1121F";
+export const kWanted = "#009E73";
 
 type Context = CanvasRenderingContext2D;
 
@@ -59,10 +64,108 @@ function outlined(context: Context, fill: string | undefined, line: string, draw
   context.restore();
 }
 
-export function person(context: Context, at: PointOnScreen, tracked: boolean): void {
+/**
+ * A disc: full when the laser sees the person, with a white middle where they said they are, hollow with a "?" and a
+ * red ring around it when the robot has lost them. `pulse` in [0, 1] widens that ring.
+ */
+export function person(
+  context: Context,
+  at: PointOnScreen,
+  source: "laser" | "message" | "predicted",
+  tracked: boolean,
+  pulse: number,
+): void {
   const colour = tracked ? kPerson : kLostPerson;
+  if (!tracked) ring(context, at, 15 + 6 * pulse, colour);
   outlined(context, tracked ? colour : undefined, colour, () => context.arc(at.x, at.y, 11, 0, 2 * Math.PI));
-  if (!tracked) text(context, at.x, at.y, "?", colour, 16);
+  if (!tracked) {
+    text(context, at.x, at.y, "?", colour, "#ffffff", 16);
+  } else if (source === "message") {
+    dot(context, at, 4, "#ffffff");
+  }
+}
+
+/** A triangle. */
+export function partner(context: Context, at: PointOnScreen): void {
+  outlined(context, kPartner, kInk, () => {
+    context.moveTo(at.x, at.y - 13);
+    context.lineTo(at.x + 13, at.y + 10);
+    context.lineTo(at.x - 13, at.y + 10);
+    context.closePath();
+  });
+}
+
+/** A hollow triangle, standing on its tip. */
+export function partnerGoal(context: Context, at: PointOnScreen): void {
+  outlined(context, undefined, kPartner, () => {
+    context.moveTo(at.x, at.y + 13);
+    context.lineTo(at.x + 13, at.y - 10);
+    context.lineTo(at.x - 13, at.y - 10);
+    context.closePath();
+  });
+}
+
+/** An outline that a person drew, closed; a single corner is a disc of `radius`. */
+export function area(
+  context: Context,
+  corners: readonly PointOnScreen[],
+  radius: number,
+  colour: string,
+  pending: boolean,
+): void {
+  const first = corners[0];
+  if (first === undefined) return;
+  context.save();
+  context.beginPath();
+  if (corners.length === 1) context.arc(first.x, first.y, Math.max(8, radius), 0, 2 * Math.PI);
+  else corners.forEach((at, index) => (index === 0 ? context.moveTo(at.x, at.y) : context.lineTo(at.x, at.y)));
+  if (corners.length > 2) context.closePath();
+  context.globalAlpha = 0.25;
+  context.fillStyle = colour;
+  context.fill();
+  context.globalAlpha = 1;
+  context.lineJoin = "round";
+  context.strokeStyle = "#ffffff";
+  context.lineWidth = 6;
+  context.stroke();
+  context.strokeStyle = colour;
+  context.lineWidth = 3;
+  if (pending) context.setLineDash([6, 5]);
+  context.stroke();
+  context.restore();
+}
+
+/** Where the keyboard's tap falls. */
+export function crosshair(context: Context, at: PointOnScreen, palette: Palette): void {
+  context.save();
+  for (const [colour, width] of [[palette.halo, 5], [palette.ink, 2]] as const) {
+    context.strokeStyle = colour;
+    context.lineWidth = width;
+    context.beginPath();
+    context.moveTo(at.x - 18, at.y);
+    context.lineTo(at.x + 18, at.y);
+    context.moveTo(at.x, at.y - 18);
+    context.lineTo(at.x, at.y + 18);
+    context.stroke();
+  }
+  context.restore();
+}
+
+function ring(context: Context, at: PointOnScreen, radius: number, colour: string): void {
+  context.save();
+  context.beginPath();
+  context.arc(at.x, at.y, radius, 0, 2 * Math.PI);
+  context.strokeStyle = colour;
+  context.lineWidth = 3;
+  context.stroke();
+  context.restore();
+}
+
+function dot(context: Context, at: PointOnScreen, radius: number, colour: string): void {
+  context.beginPath();
+  context.arc(at.x, at.y, radius, 0, 2 * Math.PI);
+  context.fillStyle = colour;
+  context.fill();
 }
 
 export function robot(context: Context, at: PointOnScreen, heading: number, size: number, alpha: number): void {
@@ -129,18 +232,26 @@ export function star(context: Context, at: PointOnScreen): void {
   });
 }
 
-export function label(context: Context, at: PointOnScreen, name: string): void {
-  text(context, at.x, at.y + 25, name, kInk, 13);
+export function label(context: Context, at: PointOnScreen, name: string, palette: Palette): void {
+  text(context, at.x, at.y + 27, name, palette.ink, palette.halo, 13);
 }
 
-function text(context: Context, x: number, y: number, words: string, colour: string, size: number): void {
+function text(
+  context: Context,
+  x: number,
+  y: number,
+  words: string,
+  colour: string,
+  halo: string,
+  size: number,
+): void {
   context.save();
   context.font = `700 ${size}px system-ui, sans-serif`;
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.lineJoin = "round";
   context.lineWidth = 4;
-  context.strokeStyle = "#ffffff";
+  context.strokeStyle = halo;
   context.strokeText(words, x, y);
   context.fillStyle = colour;
   context.fillText(words, x, y);

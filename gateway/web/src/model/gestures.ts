@@ -2,7 +2,8 @@ import { type PointOnScreen, type Radians, pointOnScreen, radians } from "../uni
 
 export type GestureActions = {
   tap(at: PointOnScreen): void;
-  drag(from: PointOnScreen, to: PointOnScreen): void;
+  /** One finger; `isFirst` where it began to move. */
+  drag(from: PointOnScreen, to: PointOnScreen, isFirst: boolean): void;
   /** Two fingers: about `fixed`, scaled by `factor`, turned counter-clockwise. */
   pinch(fixed: PointOnScreen, factor: number, turn: Radians): void;
 };
@@ -29,7 +30,7 @@ export class Gestures {
     if (before === undefined || this.start === undefined) return;
     if (this.fingers.size === 1) {
       if (this.isTap && Math.hypot(at.x - this.start.x, at.y - this.start.y) < kTapPixels) return;
-      this.actions.drag(this.isTap ? this.start : before, at);
+      this.actions.drag(this.isTap ? this.start : before, at, this.isTap);
       this.isTap = false;
     } else {
       this.pinch(finger, before, at);

@@ -1,6 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { parseClientMessage } from "../protocol/parse";
-import { pointInMap } from "../units";
+import { parseClientMessage } from "../protocol/commands";
 import { Outbox, type Storage } from "./outbox";
 
 function memory(): Storage {
@@ -18,7 +17,7 @@ describe("the outbox", () => {
   it("keeps what is not acknowledged over a reload", () => {
     const storage = memory();
     const before = new Outbox(storage, named);
-    before.add({ kind: "my_pose", at: pointInMap(1, 2) }, 100);
+    before.add({ kind: "my_pose", x: 1, y: 2 }, 100);
     before.add({ kind: "replan" }, 200);
     before.acknowledge("phone-0001", 1);
 
@@ -29,9 +28,9 @@ describe("the outbox", () => {
   });
   it("says how old a command is when it leaves, in a message the gateway understands", () => {
     const outbox = new Outbox(memory(), named);
-    const command = outbox.add({ kind: "my_goal", at: pointInMap(3, 4) }, 1000);
-    const message = outbox.message(command, 3500);
-    expect(message).toMatchObject({ kind: "my_goal", x: 3, y: 4, age_ms: 2500 });
+    const command = outbox.add({ kind: "my_goal", x: 3, y: 4 }, 1000);
+    const message = outbox.message(command, 3500, 77);
+    expect(message).toMatchObject({ kind: "my_goal", x: 3, y: 4, age_ms: 2500, sent_at_ms: 77 });
     expect(parseClientMessage(JSON.stringify(message)).ok).toBe(true);
   });
   it("starts anew when what was kept is damaged", () => {

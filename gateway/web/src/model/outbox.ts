@@ -1,15 +1,6 @@
-import { type ClientMessage, type StoredCommand, type StoredOutbox, parseOutbox } from "../protocol/parse";
-import type { PointInMap } from "../units";
+import { type StoredCommand, type StoredOutbox, type Wish, parseOutbox } from "../protocol/commands";
 
-export type PlaceKind = "my_pose" | "my_goal" | "robot_goal" | "robot_pose" | "found";
-export type PlainKind = "replan" | "clear_my_goal" | "clear_robot_goal" | "stop";
-/** What the person asks for. */
-export type Wish =
-  | { readonly kind: PlaceKind; readonly at: PointInMap }
-  | { readonly kind: PlainKind }
-  | { readonly kind: "resume"; readonly heldMs: number };
-
-/** Where the outbox survives a reload: localStorage, or a Map in tests. */
+/** Where something survives a reload: localStorage, or a variable in tests. */
 export type Storage = { load(): string | undefined; save(text: string): void };
 
 /**
@@ -36,16 +27,13 @@ export class Outbox {
   get waiting(): readonly StoredCommand[] {
     return this.stored.waiting;
   }
+  find(sequence: number): StoredCommand | undefined {
+    return this.stored.waiting.find((one) => one.sequence === sequence);
+  }
 
   /** Adds `wish`, pressed at `now` [ms of a clock that survives a reload]. */
   add(wish: Wish, now: number): StoredCommand {
-    const command: StoredCommand = {
-      sequence: this.stored.next,
-      kind: wish.kind,
-      pressed_at: now,
-      ...("at" in wish ? { x: wish.at.x, y: wish.at.y } : {}),
-      ...(wish.kind === "resume" ? { held_ms: Math.min(60_000, Math.round(wish.heldMs)) } : {}),
-    };
+    const command: StoredCommand = { sequence: this.stored.next, pressed_at: now, wish };
     this.stored = { ...this.stored, next: this.stored.next + 1, waiting: [...this.stored.waiting, command] };
     this.save();
     return command;
@@ -60,28 +48,11 @@ export class Outbox {
     this.save();
   }
 
-  /** `command` as it goes on the wire at `now`. */
-  message(command: StoredCommand, now: number): ClientMessage {
-    const head = {
-      type: "cmd" as const,
-      client: this.stored.client,
-      sequence: command.sequence,
-      age_ms: Math.max(0, Math.round(now - command.pressed_at)),
-    };
-    const { kind, x = 0, y = 0 } = command;
-    switch (kind) {
-      case "my_pose":
-      case "robot_pose":
-        return { ...head, kind, x, y };
-      case "my_goal":
-      case "robot_goal":
-      case "found":
-        return { ...head, kind, x, y };
-      case "resume":
-        return { ...head, kind, held_ms: command.held_ms ?? 0 };
-      default:
-        return { ...head, kind };
-    }
+  /** `command` as it goes on the wire at `now`, which is `sentAt` by the clock of pings. */
+  message(command: StoredCommand, now: number, sentAt: number): object {
+    const age = Math.max(0, Math.round(now - command.pressed_at));
+    const { client } = this.stored;
+    return { type: "cmd", client, sequence: command.sequence, age_ms: age, sent_at_ms: sentAt, ...command.wish };
   }
 
   private save(): void {

@@ -47,6 +47,7 @@ export class Connection {
       this.tries = 0;
       this.heardAt = performance.now();
       this.events.phase("open");
+      this.beat();
     };
     socket.onmessage = ({ data }: MessageEvent<string | ArrayBuffer>) => this.hear(data);
     socket.onclose = ({ code }) => {

@@ -1,4 +1,4 @@
-import type { Parsed } from "./parse";
+import type { Parsed } from "./fields";
 
 /** The belief grid: 0 to 254 is the share of the peak, 255 is not searched. */
 export type BeliefGrid = {

@@ -3,7 +3,8 @@ import { fileURLToPath } from "node:url";
 import Ajv from "ajv/dist/2020";
 import { describe, expect, it } from "vitest";
 import { parseBelief } from "./belief";
-import { parseClientMessage, parseMessage } from "./parse";
+import { parseClientMessage } from "./commands";
+import { parseMessage } from "./parse";
 
 const folder = fileURLToPath(new URL("../../../protocol/", import.meta.url));
 const examples = (kind: "valid" | "invalid") => readdirSync(`${folder}examples/${kind}`).sort();

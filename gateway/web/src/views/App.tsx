@@ -1,14 +1,11 @@
 import { useEffect } from "preact/hooks";
 import { pair } from "../net/pairing";
 import * as store from "../store";
-import { type Language, kLanguages } from "../texts";
+import { Languages } from "./Languages";
 import { Search } from "./Search";
 
 export function App() {
   useEffect(() => void begin(), []);
-  useEffect(() => {
-    document.documentElement.lang = store.language.value;
-  }, [store.language.value]);
   return store.screen.value === "search" ? <Search /> : <Welcome />;
 }
 
@@ -54,6 +51,7 @@ function Welcome() {
 
 function start(): void {
   store.screen.value = "search";
+  store.allowSound();
   keepScreenOn();
   document.addEventListener("visibilitychange", keepScreenOn);
 }
@@ -61,25 +59,4 @@ function start(): void {
 function keepScreenOn(): void {
   if (document.hidden || !("wakeLock" in navigator)) return;
   navigator.wakeLock.request("screen").catch(() => undefined); // an empty battery may refuse; the search goes on
-}
-
-const kLanguageNames: Record<Language, string> = { en: "English", es: "Español", ca: "Català" };
-
-function Languages() {
-  return (
-    <fieldset class="languages">
-      <legend>{store.t.value.language}</legend>
-      {(["en", "es", "ca"] as const satisfies readonly (keyof typeof kLanguages)[]).map((one) => (
-        <button
-          type="button"
-          key={one}
-          lang={one}
-          aria-pressed={store.language.value === one}
-          onClick={() => (store.language.value = one)}
-        >
-          {kLanguageNames[one]}
-        </button>
-      ))}
-    </fieldset>
-  );
 }

@@ -29,6 +29,12 @@ function robotWord(): Word {
   return { text: texts.robotWaiting, tone: "quiet", icon: "❚❚" };
 }
 
+/** The seconds of a plan that is being computed. */
+function computing(): { detail: string } | Record<string, never> {
+  const seconds = store.computingSeconds.value;
+  return seconds === undefined || store.isStopped.value ? {} : { detail: `${seconds} ${store.t.value.seconds}` };
+}
+
 function roleWord(): string {
   const texts = store.t.value;
   switch (store.plan.value?.role) {
@@ -48,7 +54,8 @@ function roleWord(): string {
 function Chip(props: { word: Word; name: string; detail?: string }) {
   return (
     <span class={`chip ${props.word.tone}`} data-name={props.name}>
-      <span aria-hidden="true">{props.word.icon}</span> {props.word.text}
+      <span aria-hidden="true">{props.word.icon}</span>
+      {props.name === "robot" && <span class="hidden">{store.t.value.robot}: </span>} {props.word.text}
       {props.detail !== undefined && <small> {props.detail}</small>}
     </span>
   );
@@ -61,9 +68,9 @@ export function StatusStrip() {
     <header class={store.isConnected.value ? "strip" : "strip unlinked"}>
       <div class="strip-row">
         <Chip word={linkWord()} name="link" {...(detail === undefined ? {} : { detail })} />
-        <Chip word={robotWord()} name="robot" />
+        {!store.isBetweenPeople.value && <Chip word={robotWord()} name="robot" {...computing()} />}
       </div>
-      <div class="strip-row">
+      <div class="strip-row" hidden={store.isBetweenPeople.value}>
         <span class="role" data-name="role">
           {roleWord()}
         </span>

@@ -1,5 +1,8 @@
-import type { PlaceKind } from "../model/outbox";
+import { isCounted } from "../model/counters";
+import type { PlaceKind } from "../protocol/commands";
 import * as store from "../store";
+import { DrawBar } from "./DrawBar";
+import { Icon } from "./Icon";
 import { ResumeBar } from "./StopButton";
 
 const kLabels = {
@@ -10,91 +13,75 @@ const kLabels = {
   found: "foundIt",
 } as const;
 
-function Icon(props: { kind: PlaceKind }) {
-  switch (props.kind) {
-    case "my_pose":
-      return (
-        <svg viewBox="0 0 24 24" aria-hidden="true">
-          <circle cx="12" cy="12" r="8" class="ink-person" />
-        </svg>
-      );
-    case "my_goal":
-      return (
-        <svg viewBox="0 0 24 24" aria-hidden="true">
-          <path d="M12 2l9 10-9 10-9-10z" class="ink-my-goal" />
-        </svg>
-      );
-    case "robot_goal":
-      return (
-        <svg viewBox="0 0 24 24" aria-hidden="true">
-          <rect x="3" y="3" width="18" height="18" class="ink-robot-goal" />
-          <rect x="8" y="8" width="8" height="8" class="hole" />
-        </svg>
-      );
-    case "robot_pose":
-      return (
-        <svg viewBox="0 0 24 24" aria-hidden="true">
-          <rect x="3" y="4" width="18" height="16" class="ink-robot" />
-          <path d="M9 8l8 4-8 4z" class="hole-filled" />
-        </svg>
-      );
-    default:
-      return (
-        <svg viewBox="0 0 24 24" aria-hidden="true">
-          <path d="M12 2l3 7 7 .6-5.3 4.7L18.3 22 12 18l-6.3 4 1.6-7.7L2 9.6 9 9z" class="ink-found" />
-        </svg>
-      );
-  }
-}
-
 function Tool(props: { kind: PlaceKind }) {
-  const selected = store.tool.value === props.kind;
+  const { kind } = props;
+  const counts = store.counts.value;
+  const blinks = kind === "my_pose" && store.poseBlinks.value;
   return (
     <button
       type="button"
-      class={`tool ${props.kind}`}
-      data-tool={props.kind}
-      aria-pressed={selected}
-      onClick={() => (store.tool.value = props.kind)}
+      class={`tool ${kind}${blinks ? " blinks" : ""}`}
+      data-tool={kind}
+      aria-pressed={store.tool.value === kind}
+      onClick={() => (store.tool.value = kind)}
     >
-      <Icon kind={props.kind} />
-      <span>{store.t.value[kLabels[props.kind]]}</span>
+      <Icon kind={kind} />
+      <span>{store.t.value[kLabels[kind]]}</span>
+      {counts !== undefined && isCounted(kind) && <span class="badge">{counts[kind]}</span>}
     </button>
   );
-}
-
-/** Robot pose is for the start, for a robot that does not know where it is, and for operators. */
-function wantsRobotPose(): boolean {
-  const robot = store.state.value?.robot;
-  return store.hello.value?.role === "operator" || robot === undefined || robot.status === "lost";
 }
 
 /** In reach of the thumb: what a tap on the map means, and Replan. */
 export function Tools() {
   const texts = store.t.value;
-  if (store.hello.value?.role === "observer") return null;
-  const computing = store.state.value?.planner.activity === "computing" ? store.state.value.planner : undefined;
-  const seconds = (computing?.computing_s ?? 0) + store.dataAgeMs.value / 1000;
+  if (!store.mayAct.value) return null;
+  if (store.drawing.value !== undefined) return <DrawBar drawing={store.drawing.value} />;
+  const people = store.isBetweenPeople.value;
   return (
     <nav class="tools" aria-label={texts.tools}>
       <div class="tool-row">
         <Tool kind="my_pose" />
         <Tool kind="my_goal" />
-        <Tool kind="robot_goal" />
-        {wantsRobotPose() && <Tool kind="robot_pose" />}
-        <Tool kind="found" />
+        {!people && <Tool kind="robot_goal" />}
+        {!people && (
+          <button
+            type="button"
+            class="tool"
+            data-tool="more"
+            aria-expanded={store.sheet.value === "more"}
+            onClick={() => (store.sheet.value = "more")}
+          >
+            <svg viewBox="0 0 24 24" aria-hidden="true">
+              <circle cx="5" cy="12" r="2.5" />
+              <circle cx="12" cy="12" r="2.5" />
+              <circle cx="19" cy="12" r="2.5" />
+            </svg>
+            <span>{texts.more}</span>
+          </button>
+        )}
       </div>
       {store.isStopped.value && <ResumeBar />}
-      <button type="button" class="replan" data-tool="replan" onClick={store.replan}>
-        {computing === undefined ? (
-          texts.replan
-        ) : (
-          <>
-            <span class="spinner" aria-hidden="true" /> {texts.computing} · {Math.max(0, Math.round(seconds))}{" "}
-            {texts.seconds}
-          </>
-        )}
-      </button>
+      <div class="tool-row">
+        <Tool kind="found" />
+        {!people && <Replan />}
+      </div>
     </nav>
+  );
+}
+
+function Replan() {
+  const texts = store.t.value;
+  const seconds = store.computingSeconds.value;
+  return (
+    <button type="button" class="replan" data-tool="replan" onClick={store.replan}>
+      {seconds === undefined ? (
+        texts.replan
+      ) : (
+        <>
+          <span class="spinner" aria-hidden="true" /> {texts.computing} · {seconds} {texts.seconds}
+        </>
+      )}
+    </button>
   );
 }

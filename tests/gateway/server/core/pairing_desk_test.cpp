@@ -91,5 +91,20 @@ TEST_F(PairingDeskTest, SlowGuessesDoNotLock) {
   }
 }
 
+TEST_F(PairingDeskTest, SessionsOutliveTheDesk) {
+  const auto session = desk_.redeem(desk_.issue(person_, now_), "phone", now_).paired->session;
+  const auto kept = desk_.kept(now_);
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0], (PairingDesk::Kept{"#" + session, "participant", now_ + seconds(8 * 3600)}));
+  EXPECT_TRUE(desk_.kept(now_ + seconds(8 * 3600)).empty());
+
+  PairingDesk next{PairingRules{},
+                   {[] { return "t"; }, [] { return "s"; }, [](const auto& text) { return "#" + text; }}};
+  EXPECT_FALSE(next.session_of(session, now_));
+  next.restore(kept[0], person_);
+  EXPECT_EQ(next.session_of(session, now_)->slot, person_);
+  EXPECT_FALSE(next.session_of(session, now_ + seconds(8 * 3600)));
+}
+
 }  // namespace
 }  // namespace tandem::gateway

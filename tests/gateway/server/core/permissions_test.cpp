@@ -12,9 +12,10 @@ using protocol::CommandKind;
 using protocol::UserRole;
 
 constexpr std::initializer_list<CommandKind> kAll{
-    CommandKind::MyPose, CommandKind::MyGoal,      CommandKind::RobotGoal,      CommandKind::RobotPose,
-    CommandKind::Replan, CommandKind::ClearMyGoal, CommandKind::ClearRobotGoal, CommandKind::Found,
-    CommandKind::Stop,   CommandKind::Resume};
+    CommandKind::MyPose,   CommandKind::MyGoal,      CommandKind::RobotGoal,      CommandKind::RobotPose,
+    CommandKind::Replan,   CommandKind::ClearMyGoal, CommandKind::ClearRobotGoal, CommandKind::Found,
+    CommandKind::Stop,     CommandKind::Resume,      CommandKind::SourceEdit,     CommandKind::BeliefEdit,
+    CommandKind::Reminder, CommandKind::Layer};
 
 TEST(Permissions, ObserverMayOnlyStop) {
   for (const auto kind : kAll) {
@@ -52,6 +53,12 @@ TEST(Permissions, AnOldWishIsAskedForAgain) {
 
 TEST(Permissions, StopIsNeverTooOld) {
   EXPECT_FALSE(refusal_of(command(CommandKind::Stop, 1e9)));
+}
+
+TEST(Permissions, WhatHappenedOnThePhoneIsRecordedHoweverLate) {
+  EXPECT_FALSE(refusal_of(command(CommandKind::Reminder, 1e9)));
+  EXPECT_FALSE(refusal_of(command(CommandKind::Layer, 1e9)));
+  EXPECT_TRUE(refusal_of(command(CommandKind::SourceEdit, 15'001.0)));
 }
 
 TEST(Permissions, ResumeMustHaveBeenHeldForASecond) {
