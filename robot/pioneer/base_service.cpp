@@ -20,6 +20,14 @@ std::uint32_t first_epoch(Time now) {
   return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::seconds>(now.time_since_epoch()).count());
 }
 
+std::vector<safety::HardZone> hard_zones_of(const MapZones& zones) {
+  std::vector<safety::HardZone> all;
+  for (const auto& area : zones.areas) {
+    all.push_back({area.corners_in_map, area.rule == AreaRule::Slow ? area.max_speed_mps : 0.0});
+  }
+  return all;
+}
+
 /// Whether two statuses say the same but for the time, the voltage and the countdown.
 bool is_same_state(msg::BaseStatus a, msg::BaseStatus b) {
   a.stamp_ns(b.stamp_ns());
@@ -30,15 +38,15 @@ bool is_same_state(msg::BaseStatus a, msg::BaseStatus b) {
 
 }  // namespace
 
-BaseService::BaseService(const BaseConfig& config, MapZones zones, const SiteConfig& site, bus::Bus& bus, Clock& timer,
-                         const Clock& mission)
+BaseService::BaseService(const BaseConfig& config, const MapZones& zones, const SiteConfig& site, bus::Bus& bus,
+                         Clock& timer, const Clock& mission)
     : config_(config),
       robot_(site.robot),
       timer_(timer),
       mission_(mission),
       link_(config, timer),
-      base_(config, std::move(zones.zones), first_epoch(timer.now())),
-      feed_(bus, site, std::move(zones.map_sha256)),
+      base_(config, hard_zones_of(zones), first_epoch(timer.now())),
+      feed_(bus, site, zones.map_sha256),
       odometry_writer_(bus.writer(topic::kOdometry)),
       sonar_writer_(bus.writer(topic::kSonar)),
       status_writer_(bus.writer(topic::kBaseStatus)),

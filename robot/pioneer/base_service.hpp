@@ -7,8 +7,8 @@
 #include "robot/pioneer/base_link.hpp"
 #include "robot/pioneer/gate_feed.hpp"
 #include "robot/pioneer/gated_base.hpp"
-#include "robot/pioneer/map_zones.hpp"
 #include "services/bus/health.hpp"
+#include "services/mapping/core/map_zones.hpp"
 
 namespace tandem {
 
@@ -16,7 +16,7 @@ namespace tandem {
 /// that a gate that hangs sends no pulse either, and the firmware's watchdog stops the robot.
 class BaseService {
  public:
-  BaseService(const BaseConfig& config, MapZones zones, const SiteConfig& site, bus::Bus& bus, Clock& timer,
+  BaseService(const BaseConfig& config, const MapZones& zones, const SiteConfig& site, bus::Bus& bus, Clock& timer,
               const Clock& mission);
   ~BaseService();
   BaseService(const BaseService&) = delete;

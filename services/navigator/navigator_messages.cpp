@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "services/navigator/stop_words.hpp"
+
 namespace tandem::navigator {
 namespace {
 
@@ -37,48 +39,6 @@ Pose2 pose2(const msg::Pose& pose) {
 
 bool is_finite(const Pose2& pose) {
   return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
-}
-
-std::string name_of(msg::StopReason reason) {
-  switch (reason) {
-    case msg::STOP_NONE:
-      return "no reason";
-    case msg::STOP_NOT_ENABLED:
-      return "motors are off";
-    case msg::STOP_REQUESTED:
-      return "somebody pressed STOP";
-    case msg::STOP_ESTOP:
-      return "emergency stop";
-    case msg::STOP_BUMPER:
-      return "bumper";
-    case msg::STOP_STALL:
-      return "a wheel is blocked";
-    case msg::STOP_OBSTACLE:
-      return "something is in the way";
-    case msg::STOP_STALE_SCAN:
-      return "no scan";
-    case msg::STOP_BAD_SCAN:
-      return "bad scan";
-    case msg::STOP_STALE_COMMAND:
-      return "velocity commands ceased";
-    case msg::STOP_BAD_COMMAND:
-      return "bad velocity command";
-    case msg::STOP_STALE_POSE:
-      return "no pose";
-    case msg::STOP_LOST_POSE:
-      return "pose lost";
-    case msg::STOP_LINK_LOST:
-      return "link lost";
-    case msg::STOP_BASE_LOST:
-      return "the controller does not answer";
-    case msg::STOP_ODOMETRY_JUMP:
-      return "odometry jumped";
-    case msg::STOP_LOW_BATTERY:
-      return "low battery";
-    case msg::STOP_TWO_COMMANDERS:
-      return "two commanders";
-  }
-  return "unknown reason";
 }
 
 }  // namespace
@@ -148,7 +108,7 @@ BaseReport base_report(const msg::BaseStatus& status) {
   BaseReport report;
   if (!status.stop_reasons().empty()) {
     const msg::StopReason first = status.stop_reasons().front();
-    report = {name_of(first), first == msg::STOP_OBSTACLE};
+    report = {words_of(first), first == msg::STOP_OBSTACLE};
   } else if (status.latched()) {
     report = {"waiting to be resumed", false};
   } else if (status.resume_in_s() > 0.0) {
