@@ -13,6 +13,9 @@ namespace tandem {
 namespace {
 
 constexpr Duration kCycle = std::chrono::milliseconds{50};
+constexpr Duration kLook = std::chrono::milliseconds{3};  ///< a command or STOP is never left lying for longer
+/// Commands come as often as cycles do; the one whose turn is a little late is not overtaken by a cycle without it.
+constexpr Duration kLateCommand = std::chrono::milliseconds{10};
 constexpr Duration kStatusPeriod = std::chrono::milliseconds{500};
 
 /// Larger than that of any earlier run, so that nobody takes two runs for one.
@@ -78,12 +81,17 @@ void BaseService::mark_driving(bool driving) {
 }
 
 void BaseService::step() {
-  const Duration wait = std::clamp<Duration>(next_cycle_ - timer_.now(), Duration::zero(), kCycle);
+  const Duration wait = std::clamp<Duration>(next_cycle_ - timer_.now(), Duration::zero(), kLook);
   for (const auto& event : link_.exchange(wait)) take(event);
   const Time now = timer_.now();
-  if (now < next_cycle_ && !base_.is_urgent()) return;
+  asked_ = feed_.feed(base_.gate(), base_.input().base.odom_from_base, now) || asked_;
+  // Not at once where many ask: the line to the controller takes no more.
+  const bool answers = asked_ && now >= last_cycle_ + kCycle / 2;
+  if (now < next_cycle_ && !base_.is_urgent() && !answers) return;
   cycle();
-  next_cycle_ = std::max(next_cycle_ + kCycle, now + kCycle / 2);
+  next_cycle_ = answers ? now + kCycle + kLateCommand : std::max(next_cycle_ + kCycle, now + kCycle / 2);
+  last_cycle_ = now;
+  asked_ = false;
 }
 
 void BaseService::take(const pioneer::SessionEvent& event) {
@@ -120,7 +128,6 @@ void BaseService::publish_motion(const pioneer::StatusReceived& status) {
 
 void BaseService::cycle() {
   const Time now = timer_.now();
-  feed_.feed(base_.gate(), base_.input().base.odom_from_base, now);
   feed_.complete(base_.input(), now);
   base_.input().other_base = health_.is_doubled();
 

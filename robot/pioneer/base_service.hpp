@@ -22,7 +22,8 @@ class BaseService {
   BaseService(const BaseService&) = delete;
   BaseService& operator=(const BaseService&) = delete;
 
-  /// Waits for the controller until the next cycle is due (20 a second), and does what is to be done.
+  /// Waits for the controller for a moment, and does what is to be done: a cycle 20 times a second, and at once on a
+  /// contact, a command or a STOP.
   void step();
 
  private:
@@ -43,6 +44,8 @@ class BaseService {
   BaseDiagnosis diagnosis_;
   GateFeed feed_;
   Time next_cycle_{};
+  Time last_cycle_{};
+  bool asked_ = false;  ///< for something that the gate has not answered yet
   Time next_status_{};
   msg::BaseStatus last_status_;
   std::string last_trouble_ = "connecting";
