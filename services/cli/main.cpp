@@ -13,6 +13,7 @@
 #include "services/cli/replay_command.hpp"
 #include "services/cli/secure_command.hpp"
 #include "services/cli/study_command.hpp"
+#include "services/cli/teleop_command.hpp"
 #include "services/cli/topics_command.hpp"
 #include "services/cli/up_command.hpp"
 #include "services/common/version.hpp"
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
   add_plan_command(app);
   add_secure_command(app);
   add_study_command(app);
+  add_teleop_command(app);
   add_topics_command(app);
 
   try {
