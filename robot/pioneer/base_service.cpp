@@ -13,11 +13,22 @@ namespace tandem {
 namespace {
 
 constexpr Duration kCycle = std::chrono::milliseconds{50};
+constexpr Duration kLook = std::chrono::milliseconds{3};  ///< a command or STOP is never left lying for longer
+/// Commands come as often as cycles do; the one whose turn is a little late is not overtaken by a cycle without it.
+constexpr Duration kLateCommand = std::chrono::milliseconds{10};
 constexpr Duration kStatusPeriod = std::chrono::milliseconds{500};
 
 /// Larger than that of any earlier run, so that nobody takes two runs for one.
 std::uint32_t first_epoch(Time now) {
   return static_cast<std::uint32_t>(std::chrono::duration_cast<std::chrono::seconds>(now.time_since_epoch()).count());
+}
+
+std::vector<safety::HardZone> hard_zones_of(const MapZones& zones) {
+  std::vector<safety::HardZone> all;
+  for (const auto& area : zones.areas) {
+    all.push_back({area.corners_in_map, area.rule == AreaRule::Slow ? area.max_speed_mps : 0.0});
+  }
+  return all;
 }
 
 /// Whether two statuses say the same but for the time, the voltage and the countdown.
@@ -30,15 +41,15 @@ bool is_same_state(msg::BaseStatus a, msg::BaseStatus b) {
 
 }  // namespace
 
-BaseService::BaseService(const BaseConfig& config, MapZones zones, const SiteConfig& site, bus::Bus& bus, Clock& timer,
-                         const Clock& mission)
+BaseService::BaseService(const BaseConfig& config, const MapZones& zones, const SiteConfig& site, bus::Bus& bus,
+                         Clock& timer, const Clock& mission)
     : config_(config),
       robot_(site.robot),
       timer_(timer),
       mission_(mission),
       link_(config, timer),
-      base_(config, std::move(zones.zones), first_epoch(timer.now())),
-      feed_(bus, site, std::move(zones.map_sha256)),
+      base_(config, hard_zones_of(zones), first_epoch(timer.now())),
+      feed_(bus, site, zones.map_sha256),
       odometry_writer_(bus.writer(topic::kOdometry)),
       sonar_writer_(bus.writer(topic::kSonar)),
       status_writer_(bus.writer(topic::kBaseStatus)),
@@ -70,12 +81,17 @@ void BaseService::mark_driving(bool driving) {
 }
 
 void BaseService::step() {
-  const Duration wait = std::clamp<Duration>(next_cycle_ - timer_.now(), Duration::zero(), kCycle);
+  const Duration wait = std::clamp<Duration>(next_cycle_ - timer_.now(), Duration::zero(), kLook);
   for (const auto& event : link_.exchange(wait)) take(event);
   const Time now = timer_.now();
-  if (now < next_cycle_ && !base_.is_urgent()) return;
+  asked_ = feed_.feed(base_.gate(), base_.input().base.odom_from_base, now) || asked_;
+  // Not at once where many ask: the line to the controller takes no more.
+  const bool answers = asked_ && now >= last_cycle_ + kCycle / 2;
+  if (now < next_cycle_ && !base_.is_urgent() && !answers) return;
   cycle();
-  next_cycle_ = std::max(next_cycle_ + kCycle, now + kCycle / 2);
+  next_cycle_ = answers ? now + kCycle + kLateCommand : std::max(next_cycle_ + kCycle, now + kCycle / 2);
+  last_cycle_ = now;
+  asked_ = false;
 }
 
 void BaseService::take(const pioneer::SessionEvent& event) {
@@ -112,7 +128,6 @@ void BaseService::publish_motion(const pioneer::StatusReceived& status) {
 
 void BaseService::cycle() {
   const Time now = timer_.now();
-  feed_.feed(base_.gate(), base_.input().base.odom_from_base, now);
   feed_.complete(base_.input(), now);
   base_.input().other_base = health_.is_doubled();
 

@@ -7,8 +7,8 @@
 #include "robot/pioneer/base_link.hpp"
 #include "robot/pioneer/gate_feed.hpp"
 #include "robot/pioneer/gated_base.hpp"
-#include "robot/pioneer/map_zones.hpp"
 #include "services/bus/health.hpp"
+#include "services/mapping/core/map_zones.hpp"
 
 namespace tandem {
 
@@ -16,13 +16,14 @@ namespace tandem {
 /// that a gate that hangs sends no pulse either, and the firmware's watchdog stops the robot.
 class BaseService {
  public:
-  BaseService(const BaseConfig& config, MapZones zones, const SiteConfig& site, bus::Bus& bus, Clock& timer,
+  BaseService(const BaseConfig& config, const MapZones& zones, const SiteConfig& site, bus::Bus& bus, Clock& timer,
               const Clock& mission);
   ~BaseService();
   BaseService(const BaseService&) = delete;
   BaseService& operator=(const BaseService&) = delete;
 
-  /// Waits for the controller until the next cycle is due (20 a second), and does what is to be done.
+  /// Waits for the controller for a moment, and does what is to be done: a cycle 20 times a second, and at once on a
+  /// contact, a command or a STOP.
   void step();
 
  private:
@@ -43,6 +44,8 @@ class BaseService {
   BaseDiagnosis diagnosis_;
   GateFeed feed_;
   Time next_cycle_{};
+  Time last_cycle_{};
+  bool asked_ = false;  ///< for something that the gate has not answered yet
   Time next_status_{};
   msg::BaseStatus last_status_;
   std::string last_trouble_ = "connecting";

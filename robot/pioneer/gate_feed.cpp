@@ -35,10 +35,12 @@ GateFeed::GateFeed(bus::Bus& bus, const SiteConfig& site, std::string map_sha256
   if (!map_sha256_.empty()) maps_.emplace(bus.latest(topic::kMap));
 }
 
-void GateFeed::feed(safety::SafetyGate& gate, const Pose2& odom_from_base, Time now) {
+bool GateFeed::feed(safety::SafetyGate& gate, const Pose2& odom_from_base, Time now) {
+  bool asked = false;
   for (const auto& stop : stops_.take()) {
     if (!stop.robot().empty() && stop.robot() != robot_) continue;
     gate.take_stop(stop.latched());
+    asked = true;
     stops_.applied(stop.id());
     notes_.push_back("stop requested: who=" + stop.who());
   }
@@ -56,10 +58,12 @@ void GateFeed::feed(safety::SafetyGate& gate, const Pose2& odom_from_base, Time 
   for (const auto& command : commands_.take()) {
     if (command.message.robot() != robot_) continue;
     gate.take_command(from_message(command.message, command.writer), command.received);
+    asked = true;
   }
   if (const auto scan = scans_.take_new(); scan && scan->message.robot() == robot_) {
     gate.take_scan(view_of(scan->message), odom_from_base, scan->received);
   }
+  return asked;
 }
 
 void GateFeed::complete(safety::GateInput& input, Time now) {

@@ -18,8 +18,8 @@ class GateFeed {
   /// `map_sha256` is of the map whose hard zones the gate minds; empty: it minds none, and any map will do.
   GateFeed(bus::Bus& bus, const SiteConfig& site, std::string map_sha256);
 
-  /// Hands over everything that came; STOP first.
-  void feed(safety::SafetyGate& gate, const Pose2& odom_from_base, Time now);
+  /// Hands over everything that came; STOP first. True if somebody asked for something that should not wait.
+  bool feed(safety::SafetyGate& gate, const Pose2& odom_from_base, Time now);
   /// Fills in all of `input` but the base. Its list of people is valid until the next call.
   void complete(safety::GateInput& input, Time now);
   /// Who asked for a stop or a resume since the last call, and how it was answered: for the log.

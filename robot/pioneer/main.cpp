@@ -1,7 +1,6 @@
 #include <spdlog/spdlog.h>
 
 #include <cstdlib>
-#include <utility>
 
 #include "robot/link/device.hpp"
 #include "robot/pioneer/base_service.hpp"
@@ -16,15 +15,14 @@ int main(int argc, char** argv) try {
   const auto site = load_config<SiteConfig>(options.site_file());
   const auto config = load_config<BaseConfig>(options.config_file());
   static_cast<void>(parse_device(config.device));  // a name that can never be opened is refused now
-  MapZones zones = load_map_zones(config.map.empty() ? "" : options.config_folder / config.map);
-  const std::size_t zone_count = zones.zones.size();
+  const MapZones zones = load_map_zones(config.map.empty() ? "" : options.config_folder / config.map);
 
   const StopSignal stop;
   bus::Bus bus{bus::host_domain(site, "base")};
   const auto mission = bus::make_clock(options.clock, bus);
   SteadyClock timer;  // wheels keep no mission time
-  BaseService service{config, std::move(zones), site, bus, timer, *mission};
-  spdlog::info("base started: device={} domain={} hard_zones={}", config.device, site.host_domain, zone_count);
+  BaseService service{config, zones, site, bus, timer, *mission};
+  spdlog::info("base started: device={} domain={} hard_zones={}", config.device, site.host_domain, zones.areas.size());
 
   while (!stop.requested()) service.step();  // waits for the device
   return EXIT_SUCCESS;

@@ -17,6 +17,7 @@
 #include "services/cli/secure_command.hpp"
 #include "services/cli/stop_command.hpp"
 #include "services/cli/study_command.hpp"
+#include "services/cli/teleop_command.hpp"
 #include "services/cli/topics_command.hpp"
 #include "services/cli/track_command.hpp"
 #include "services/cli/up_command.hpp"
@@ -46,6 +47,7 @@ int main(int argc, char** argv) {
   add_doctor_command(app);
   add_bundle_command(app);
   add_study_command(app);
+  add_teleop_command(app);
   add_topics_command(app);
 
   try {

@@ -10,7 +10,7 @@
 #include "idl/topics.hpp"
 #include "services/cli/command.hpp"
 #include "services/cli/host_bus.hpp"
-#include "services/cli/topics/live_terminal.hpp"
+#include "services/cli/live_terminal.hpp"
 #include "services/cli/topics/topics_watch.hpp"
 
 namespace tandem::cli {
@@ -92,7 +92,9 @@ void draw_until_quit(TopicsWatch& watch, const std::function<bool()>& is_over) {
     std::vector<std::string> lines{"tandem topics: q ends it", ""};
     for (const auto& line : lines_of(watch.view())) lines.push_back(printable(line));
     terminal.draw(lines);
-  } while (!is_over() && !terminal.quit_pressed(kDrawPeriod));
+    const auto keys = terminal.keys(kDrawPeriod);
+    if (!keys || keys->find_first_of("qQ") != std::string::npos) return;
+  } while (!is_over());
 }
 
 void tell_again_and_again(TopicsWatch& watch, bus::Bus& bus, bool as_json, const std::function<bool()>& is_over) {

@@ -6,6 +6,7 @@
 #include "services/common/config.hpp"
 #include "services/common/service_options.hpp"
 #include "services/common/stop_signal.hpp"
+#include "services/mapping/core/map_zones.hpp"
 #include "services/navigator/navigator_service.hpp"
 
 int main(int argc, char** argv) try {
@@ -17,8 +18,9 @@ int main(int argc, char** argv) try {
 
   bus::Bus bus{bus::host_domain(site, "navigator", options.lockstep ? bus::Pace::Lockstep : bus::Pace::RealTime)};
   const auto clock = bus::make_clock(options.clock, bus);
-  navigator::NavigatorService service{config, site, bus, *clock};
-  spdlog::info("navigator ready: robot={} domain={}", site.robot, site.host_domain);
+  const MapZones zones = load_zones_of_host(options.config_folder);
+  navigator::NavigatorService service{config, site, zones.areas, bus, *clock};
+  spdlog::info("navigator ready: robot={} domain={} hard_zones={}", site.robot, site.host_domain, zones.areas.size());
 
   const StopSignal stop;
   const auto stopping = [&stop] { return stop.requested(); };

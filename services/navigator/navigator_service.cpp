@@ -24,11 +24,13 @@ LinkLoss link_loss_of(const std::string& word) {
 
 }  // namespace
 
-NavigatorService::NavigatorService(const NavigatorConfig& config, const SiteConfig& site, bus::Bus& bus, Clock& clock)
+NavigatorService::NavigatorService(const NavigatorConfig& config, const SiteConfig& site,
+                                   const std::vector<MapArea>& zones, bus::Bus& bus, Clock& clock)
     : config_(config),
       robot_(site.robot),
       host_(site.host),
       link_loss_(link_loss_of(site.on_link_loss)),
+      zones_(zones),
       bus_(bus),
       clock_(clock),
       health_(bus, site, "navigator"),
@@ -42,7 +44,7 @@ NavigatorService::NavigatorService(const NavigatorConfig& config, const SiteConf
       links_(bus.latest(topic::kLinkStatus)),
       commands_(bus.writer(topic::kVelocityCommand)),
       executions_(bus.writer(topic::kPlanExecution)),
-      navigator_(config, link_loss_),
+      navigator_(config, link_loss_, zones_),
       epoch_(clock.epoch()) {}
 
 Situation NavigatorService::situation(Time now) {
@@ -89,8 +91,9 @@ void NavigatorService::step() {
   const Time now = clock_.now();
   if (clock_.epoch() != epoch_) {  // time begins anew: nothing known before holds
     epoch_ = clock_.epoch();
-    navigator_ = Navigator{config_, link_loss_};
+    navigator_ = Navigator{config_, link_loss_, zones_};
     situation_ = {};
+    in_session_.reset();
     next_execution_ = {};
   }
   for (auto& plan : plans_.take()) {
@@ -102,7 +105,12 @@ void NavigatorService::step() {
 }
 
 void NavigatorService::publish(const Decision& decision, Time now) {
-  commands_.write(velocity_command(decision.velocity, robot_, now, ++sequence_number_));
+  // Without a session it is silent: then an operator may drive (teleop), whom a second commander would brake.
+  constexpr double kLastWords = 1.0;  // [s] one of them may be lost
+  if (situation_.running_session) in_session_ = now;
+  if (in_session_ && now - *in_session_ <= from_seconds(kLastWords)) {
+    commands_.write(velocity_command(decision.velocity, robot_, now, ++sequence_number_));
+  }
 
   const Execution& execution = decision.execution;
   const bool changed = execution.differs_from(published_);

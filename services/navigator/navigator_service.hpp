@@ -14,7 +14,8 @@ namespace tandem::navigator {
 /// Commands a velocity in every beat, 0 while it stands: so the safety gate sees a dead navigator as stale commands.
 class NavigatorService {
  public:
-  NavigatorService(const NavigatorConfig& config, const SiteConfig& site, bus::Bus& bus, Clock& clock);
+  NavigatorService(const NavigatorConfig& config, const SiteConfig& site, const std::vector<MapArea>& zones,
+                   bus::Bus& bus, Clock& clock);
   void step();
 
  private:
@@ -30,6 +31,7 @@ class NavigatorService {
   std::string robot_;
   std::string host_;
   LinkLoss link_loss_;
+  Zones zones_;
   bus::Bus& bus_;
   Clock& clock_;
   bus::HealthReporter health_;
@@ -50,6 +52,7 @@ class NavigatorService {
   Time people_heard_{};
   std::optional<Time> link_heard_;  ///< the other side, last
   std::uint64_t sequence_number_ = 0;
+  std::optional<Time> in_session_;  ///< when a session ran, last
   Execution published_;
   Time next_execution_{};
   int epoch_ = 0;

@@ -28,9 +28,10 @@ int main(int argc, char** argv) try {
     spdlog::critical("planner cannot run: {}", refusal);
     return kSecondPlanner;
   }
-  PlannerService service{config, site, bus, *clock};
-  spdlog::info("planner ready: config={} domain={} seed={}", options.config_file().string(), site.host_domain,
-               config.seed);
+  const MapZones zones = load_zones_of_host(options.config_folder);
+  PlannerService service{config, site, zones, bus, *clock};
+  spdlog::info("planner ready: config={} domain={} seed={} hard_zones={}", options.config_file().string(),
+               site.host_domain, config.seed, zones.areas.size());
 
   const auto stopped = [&stop] { return stop.requested(); };
   for (Metronome beat{*clock, kBeat}; !stop.requested(); beat.wait(stopped)) {

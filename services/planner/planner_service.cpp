@@ -48,11 +48,13 @@ void publish_changes(std::map<Key, Value> current, std::map<Key, Value>& publish
 
 }  // namespace
 
-PlannerService::PlannerService(const PlannerConfig& config, const SiteConfig& site, bus::Bus& bus, const Clock& clock)
+PlannerService::PlannerService(const PlannerConfig& config, const SiteConfig& site, MapZones zones, bus::Bus& bus,
+                               const Clock& clock)
     : config_(config),
       site_(site),
       clock_(clock),
       mission_(config, site.robot, site.agent),
+      zones_(std::move(zones)),
       identity_(site.host + "/" + std::to_string(::getpid())),
       map_(bus.latest(topic::kMap)),
       robot_pose_(bus.latest(topic::kRobotPose)),
@@ -93,7 +95,8 @@ void PlannerService::step() {
   publish_sources();
   tell_person(done);
   const bool failed = mission_.activity() == MissionActivity::Failed;
-  health_.step(failed ? msg::HEALTH_DEGRADED : msg::HEALTH_OK, mission_.failure());
+  health_.step(failed || !zone_trouble_.empty() ? msg::HEALTH_DEGRADED : msg::HEALTH_OK,
+               failed ? mission_.failure() : zone_trouble_);
   if (mission_.certify()) plan_due_ = done;  // told with the plan's next refresh, at once
 }
 
@@ -101,7 +104,11 @@ void PlannerService::read_world() {
   if (const auto map = map_.take_new()) {
     if (auto grid = to_core(map->message)) {
       spdlog::info("map received: id={} width={} height={}", map->message.map_id(), grid->width(), grid->height());
-      mission_.set_map(std::move(*grid));
+      const bool zones_count = zones_.areas.empty() || zones_.map_sha256 == map->message.sha256();
+      zone_trouble_ =
+          zones_count ? "" : "the hard zones of this host are of another map, and the plans do not mind them";
+      if (!zones_count) spdlog::warn("{}: map={}", zone_trouble_, map->message.map_id());
+      mission_.set_map(std::move(*grid), zones_count ? zones_.areas : std::vector<MapArea>{});
     } else {
       spdlog::warn("map refused: id={}", map->message.map_id());
     }

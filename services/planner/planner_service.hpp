@@ -10,6 +10,7 @@
 #include "services/bus/health.hpp"
 #include "services/common/clock.hpp"
 #include "services/common/site_config.hpp"
+#include "services/mapping/core/map_zones.hpp"
 #include "services/planner/core/mission/search_mission.hpp"
 
 namespace tandem {
@@ -17,7 +18,8 @@ namespace tandem {
 /// Joins a SearchMission to the bus: newest inputs in, one slice of planning, results out.
 class PlannerService {
  public:
-  PlannerService(const PlannerConfig& config, const SiteConfig& site, bus::Bus& bus, const Clock& clock);
+  PlannerService(const PlannerConfig& config, const SiteConfig& site, MapZones zones, bus::Bus& bus,
+                 const Clock& clock);
 
   void step();
 
@@ -43,6 +45,8 @@ class PlannerService {
   SiteConfig site_;
   const Clock& clock_;
   SearchMission mission_;
+  MapZones zones_;
+  std::string zone_trouble_;  ///< why they do not count; empty if they do
   std::string identity_;
   bool running_ = false;
 

@@ -72,6 +72,8 @@ const std::vector<Row>& rows() {
       // What Vite built, as a table of texts.
       {"gateway/web/", {"gateway/net/"}},
       {"calibration/", with(kCore, {"calibration/", "*/core/"})},
+      // The base's service between the bus and a simulated controller.
+      {"bench/base/", with(kShell, {"bench/", "robot/pioneer/core/", "services/simulator/", "tests/support/"})},
       // Both sides of the link in a laboratory: ours through relays and bus, the peer through Fast DDS itself.
       {"bench/network/", with(kShell, {"bench/", "services/relay/", "tests/network/", "tests/support/"})},
       {"bench/", with(kCore, {"bench/", "*/core/", "services/planner/remote/"})},

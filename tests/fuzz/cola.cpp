@@ -17,16 +17,6 @@ void look_into(std::string_view text) {
   fuzz::check(back.has_value() && back->channels.size() == scan->channels.size());
 }
 
-void the_pieces_do_not_matter(Bytes input) {
-  cola::TelegramReader whole;
-  cola::TelegramReader pieces;
-  const auto texts = whole.take(input);
-  std::size_t count = 0;
-  fuzz::in_pieces(input, [&](Bytes piece) { count += pieces.take(piece).size(); });
-  fuzz::check(count == texts.size() && whole.damaged() == pieces.damaged());
-  for (const auto& text : texts) look_into(text);
-}
-
 /// The input behind the words that every scan begins with.
 void as_a_scan(Bytes input) {
   std::string text = "sSN LMDscandata 1 1 1 0 0 1 1 1 1 0 0 0 0 0 ";
@@ -61,7 +51,7 @@ void a_session_lives(Bytes input) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Bytes input{data, size};
-  the_pieces_do_not_matter(input);
+  for (const auto& text : fuzz::taken_whole_and_in_pieces(input, cola::TelegramReader{})) look_into(text);
   as_a_scan(input);
   if (fuzz::is_chosen(input)) {
     finds_back(input);

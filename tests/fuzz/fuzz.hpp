@@ -30,6 +30,18 @@ void in_pieces(Bytes bytes, Take&& take) {
   }
 }
 
+/// What a reader like `fresh` takes from `input`; in pieces it must take as much.
+template <typename Reader>
+auto taken_whole_and_in_pieces(Bytes input, const Reader& fresh) {
+  Reader whole = fresh;
+  Reader pieces = fresh;
+  auto taken = whole.take(input);
+  std::size_t count = 0;
+  in_pieces(input, [&](Bytes piece) { count += pieces.take(piece).size(); });
+  check(count == taken.size() && whole.damaged() == pieces.damaged());
+  return taken;
+}
+
 /// True for one input in 32: what costs much is asked for them alone.
 inline bool is_chosen(Bytes bytes) {
   return !bytes.empty() && bytes.back() % 32 == 0;

@@ -18,15 +18,6 @@ void look_into(const lms::Payload& payload) {
   fuzz::check(out.reading.ranges_m.size() == scan->values.size());
 }
 
-void the_pieces_do_not_matter(Bytes input) {
-  lms::TelegramReader whole{lms::kFromLaser};
-  lms::TelegramReader pieces{lms::kFromLaser};
-  const auto events = whole.take(input);
-  std::size_t count = 0;
-  fuzz::in_pieces(input, [&](Bytes piece) { count += pieces.take(piece).size(); });
-  fuzz::check(count == events.size() && whole.damaged() == pieces.damaged());
-}
-
 /// The input as a payload, in a telegram that is good.
 void in_a_good_telegram(Bytes input) {
   if (input.empty() || input.size() > lms::kMostPayload) return;
@@ -77,7 +68,7 @@ void a_session_lives(Bytes input) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Bytes input{data, size};
-  the_pieces_do_not_matter(input);
+  (void)fuzz::taken_whole_and_in_pieces(input, lms::TelegramReader{lms::kFromLaser});
   in_a_good_telegram(input);
   if (fuzz::is_chosen(input)) {
     finds_back(input);

@@ -17,16 +17,6 @@ void look_into(const scip::Reply& reply) {
   (void)reading_of(*scan, scip::utm_30lx(), Time{}, 30.0);
 }
 
-void the_pieces_do_not_matter(Bytes input) {
-  scip::ReplyParser whole;
-  scip::ReplyParser pieces;
-  const auto replies = whole.take(input);
-  std::size_t count = 0;
-  fuzz::in_pieces(input, [&](Bytes piece) { count += pieces.take(piece).size(); });
-  fuzz::check(count == replies.size() && whole.damaged() == pieces.damaged());
-  for (const auto& reply : replies) look_into(reply);
-}
-
 /// The second whole reply after anything is read.
 void finds_back(Bytes input) {
   scip::ReplyParser parser;
@@ -71,7 +61,7 @@ void a_session_lives(Bytes input) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Bytes input{data, size};
-  the_pieces_do_not_matter(input);
+  for (const auto& reply : fuzz::taken_whole_and_in_pieces(input, scip::ReplyParser{})) look_into(reply);
   with_good_checksums(input);
   if (fuzz::is_chosen(input)) {
     finds_back(input);

@@ -18,12 +18,13 @@ bool Execution::differs_from(const Execution& other) const {
          reason != other.reason;
 }
 
-Navigator::Navigator(const NavigatorConfig& config, LinkLoss link_loss)
+Navigator::Navigator(const NavigatorConfig& config, LinkLoss link_loss, Zones zones)
     : config_(config),
       plans_(from_seconds(config.plan_timeout_s)),
       follower_(config),
       avoidance_(config),
-      link_loss_(link_loss) {}
+      link_loss_(link_loss),
+      zones_(std::move(zones)) {}
 
 std::string Navigator::reason_to_stand(const Situation& situation) const {
   using Standing = PlanKeeper::Standing;
@@ -112,6 +113,7 @@ Decision Navigator::decide(const Situation& situation) {
   std::vector<Eigen::Vector2d> obstacles_in_base;
   obstacles_in_base.reserve(situation.obstacles->points_in_base.size());
   for (const auto& point : situation.obstacles->points_in_base) obstacles_in_base.push_back(now_from_then * point);
+  zones_.add_outlines(map_from_base, obstacles_in_base);
 
   const Course course = avoidance_.course(aim, follower_.path(), map_from_base, obstacles_in_base);
   decision.velocity = velocity_for(course, aim, situation, map_from_base);
@@ -160,7 +162,10 @@ Twist2 Navigator::velocity_for(const Course& course, const Aim& aim, const Situa
     wanted.turn_rate_radps = std::copysign(rate, aim.bearing_rad);
     if (situation.velocity.forward_mps > kRolling) wanted.turn_rate_radps = 0.0;  // stops first
   } else if (course.kind == Course::Kind::Arc) {
-    wanted.forward_mps = speed_limit(config_, course, aim, map_from_base, situation.pose->quality, situation.people);
+    wanted.forward_mps = std::min(
+        speed_limit(config_, course, aim, map_from_base, situation.pose->quality, situation.people),
+        zones_.speed_limit_mps(map_from_base.position(), 0.5 * std::hypot(config_.hull_length_m, config_.hull_width_m),
+                               config_.deceleration_mps2));
     wanted.turn_rate_radps = wanted.forward_mps * course.curvature;
   }
   return limited_acceleration(config_, last_velocity_, wanted, situation.velocity.forward_mps);

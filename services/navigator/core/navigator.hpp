@@ -11,6 +11,7 @@
 #include "services/navigator/core/path_follower.hpp"
 #include "services/navigator/core/plan_keeper.hpp"
 #include "services/navigator/core/way_back.hpp"
+#include "services/navigator/core/zones.hpp"
 
 namespace tandem::navigator {
 
@@ -81,7 +82,7 @@ struct Decision {
 /// Stands still unless everything it relies on is there and fresh. Never backwards, never sideways.
 class Navigator {
  public:
-  explicit Navigator(const NavigatorConfig& config, LinkLoss link_loss = LinkLoss::Stop);
+  explicit Navigator(const NavigatorConfig& config, LinkLoss link_loss = LinkLoss::Stop, Zones zones = {});
 
   void receive_plan(PlanNews news, Time received) { plans_.receive(std::move(news), received); }
   [[nodiscard]] Decision decide(const Situation& situation);
@@ -108,6 +109,7 @@ class Navigator {
   PathFollower follower_;
   Avoidance avoidance_;
   LinkLoss link_loss_;
+  Zones zones_;
   WayBack way_back_;
   bool retreating_ = false;
   std::string plan_id_;  ///< of the path that is followed

@@ -19,7 +19,11 @@ constexpr std::array<std::pair<HardwareFault, std::string_view>, 8> kNames{{
 
 constexpr std::uint64_t kEvery = 4;
 constexpr Duration kDelay = std::chrono::milliseconds{400};
-constexpr Duration kJoined = std::chrono::milliseconds{700};
+constexpr Duration kInAndOut = std::chrono::seconds{1};
+
+char random_byte(Rng& rng) {
+  return static_cast<char>(rng.bits() & 0xFF);
+}
 
 }  // namespace
 
@@ -53,7 +57,17 @@ void FaultyLine::set(HardwareFault fault, Time now) {
 
 bool FaultyLine::is_joined(Time now) const {
   if (fault_ == HardwareFault::Off) return false;
-  return fault_ != HardwareFault::Intermittent || (now - since_) / kJoined % 2 == 0;
+  return fault_ != HardwareFault::Intermittent || (now - since_) / kInAndOut % 2 == 1;
+}
+
+void FaultyLine::add_noise(std::string& bytes) {
+  constexpr std::size_t kMostGarbage = 40;
+  if (rng_.uniform() < noise_) bytes[rng_.index(bytes.size())] ^= static_cast<char>(1 + rng_.index(255));
+  if (rng_.uniform() < noise_) {
+    std::string garbage(1 + rng_.index(kMostGarbage), '\0');
+    for (char& byte : garbage) byte = random_byte(rng_);
+    bytes.insert(0, garbage);
+  }
 }
 
 std::string FaultyLine::pass(std::string bytes, Time now) {
@@ -61,8 +75,9 @@ std::string FaultyLine::pass(std::string bytes, Time now) {
   const bool was_joined = std::exchange(was_joined_, is_joined(now));
   if (!was_joined_) return was_joined ? bytes.substr(0, bytes.size() / 2) : std::string{};
   if (fault_ == HardwareFault::Garbage) {
-    for (char& byte : bytes) byte = static_cast<char>(rng_.bits() & 0xFF);
+    for (char& byte : bytes) byte = random_byte(rng_);
   }
+  if (noise_ > 0.0) add_noise(bytes);
   if (fault_ == HardwareFault::Delayed) {
     held_.push_back({now + kDelay, std::move(bytes)});
     return {};

@@ -20,7 +20,7 @@ enum class HardwareFault {
   Wrong,         ///< Measures what is not so.
   Slow,          ///< Every fourth message alone.
   Delayed,       ///< All that it says arrives 0.4 s late.
-  Intermittent,  ///< A loose plug: 0.7 s joined, 0.7 s not; what it cuts off arrives half.
+  Intermittent,  ///< A loose plug: out for a second, in for one; what it cuts off arrives half.
 };
 
 /// The fault's name, "none", "off", "stuck", ... , and the inverse.
@@ -37,6 +37,9 @@ class FaultyLine {
 
   void set(HardwareFault fault, Time now);
   [[nodiscard]] HardwareFault fault() const { return fault_; }
+  /// So many of the messages to the host get a wrong byte [0, 1], and so many garbage before them. No fault: any serial
+  /// line is noisy, and a driver must not mind.
+  void set_noise(double share) { noise_ = share; }
 
   /// True when what the host sends now reaches the device.
   [[nodiscard]] bool hears(Time now) const { return is_joined(now); }
@@ -53,9 +56,11 @@ class FaultyLine {
     std::string bytes;
   };
   [[nodiscard]] bool is_joined(Time now) const;
+  void add_noise(std::string& bytes);
 
   Rng rng_;
   HardwareFault fault_ = HardwareFault::None;
+  double noise_ = 0.0;
   Time since_{};
   std::uint64_t messages_ = 0;
   bool was_joined_ = true;

@@ -11,6 +11,13 @@ namespace {
 constexpr double kSightRange_m = 3.0;
 constexpr double kRobotBodyRadius_m = 0.4;
 
+std::string text_of(const pioneer::Bytes& bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+pioneer::Bytes bytes_of(const std::string& text) {
+  return {text.begin(), text.end()};
+}
+
 }  // namespace
 
 Simulation::Simulation(SimulationOptions options, Place place, const Scene& scene, std::unique_ptr<PhoneUser> person,
@@ -23,7 +30,8 @@ Simulation::Simulation(SimulationOptions options, Place place, const Scene& scen
       body_(options_.hull, options_.slip, scene.robot_start, Rng{options_.seed + 3}),
       map_from_base_before_(scene.robot_start),
       firmware_(options_.firmware, now),
-      base_line_(options_.seed + 5),
+      base_rng_(options_.seed + 5),
+      base_line_(options_.seed + 6),
       camera_(options_.camera),
       ground_(place_.largest_ground(kRobotRoom_m)),
       person_(std::move(person)),
@@ -86,17 +94,36 @@ std::optional<Eigen::Vector2d> Simulation::token_in_sight() const {
 }
 
 void Simulation::set_base_fault(HardwareFault fault, Time now) {
-  if (fault == HardwareFault::Off) firmware_.power_cycle(now);
-  base_line_.set_fault(fault, now);
+  if (fault == HardwareFault::Off) {
+    firmware_.power_cycle(now);
+    last_report_.clear();
+  }
+  base_line_.set(fault, now);
 }
 
 pioneer::Bytes Simulation::base_receive(std::span<const std::uint8_t> bytes, Time now) {
-  return base_line_.to_host(firmware_.receive(base_line_.to_controller(bytes, now), now), now);
+  if (!base_line_.hears(now)) return {};
+  return bytes_of(base_line_.pass(text_of(firmware_.receive(bytes, now)), now));
 }
 
 pioneer::Bytes Simulation::base_report(Time now) {
-  const bool due = firmware_.is_report_due(now);
-  return base_line_.to_host(due ? firmware_.report(fire_sonars(), now) : pioneer::Bytes{}, now);
+  std::string arriving = base_line_.due(now);
+  if (firmware_.is_report_due(now)) arriving += base_line_.pass_message(text_of(measured_report(now)), now);
+  return bytes_of(arriving);
+}
+
+pioneer::Bytes Simulation::measured_report(Time now) {
+  constexpr double kAnywhere_m = 30.0;
+  const HardwareFault fault = base_line_.fault();
+  Pose2& offset = firmware_.faults().odometry_offset;
+  const Pose2 usual = offset;
+  if (fault == HardwareFault::Wrong) {
+    offset = {base_rng_.uniform() * kAnywhere_m, base_rng_.uniform() * kAnywhere_m, usual.heading};
+  }
+  pioneer::Bytes report = firmware_.report(fire_sonars(), now);
+  offset = usual;
+  if (fault == HardwareFault::Stuck && !last_report_.empty()) return last_report_;
+  return last_report_ = std::move(report);
 }
 
 std::vector<pioneer::SonarEcho> Simulation::fire_sonars() {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "services/simulator/core/base_line.hpp"
 #include "services/simulator/core/camera_view.hpp"
+#include "services/simulator/core/hardware_fault.hpp"
 #include "services/simulator/core/laser_view.hpp"
 #include "services/simulator/core/obedient_person.hpp"
 #include "services/simulator/core/pioneer_firmware.hpp"
@@ -57,7 +57,7 @@ class Simulation {
   [[nodiscard]] std::vector<PhoneMessage> step_person(const PhoneView& view, double dt_s, Time now);
 
   [[nodiscard]] PioneerFirmware& firmware() { return firmware_; }
-  [[nodiscard]] BaseLine& base_line() { return base_line_; }
+  [[nodiscard]] FaultyLine& base_line() { return base_line_; }
   /// Breaks the base, or mends it; a base without power has forgotten all when it comes back.
   void set_base_fault(HardwareFault fault, Time now);
   /// Takes bytes from the base's host; what it gets back at once.
@@ -78,6 +78,8 @@ class Simulation {
 
  private:
   [[nodiscard]] std::vector<Disc> bodies_of_people() const;
+  /// What the base's controller reports: what it measures, unless it is stuck or wrong.
+  [[nodiscard]] pioneer::Bytes measured_report(Time now);
   [[nodiscard]] std::vector<pioneer::SonarEcho> fire_sonars();
   [[nodiscard]] std::optional<Eigen::Vector2d> token_in_sight() const;
 
@@ -89,7 +91,9 @@ class Simulation {
   RobotBody body_;
   Pose2 map_from_base_before_;
   PioneerFirmware firmware_;
-  BaseLine base_line_;
+  Rng base_rng_;
+  FaultyLine base_line_;
+  pioneer::Bytes last_report_;  ///< of the base, while it is not stuck
   CameraView camera_;
   std::vector<Eigen::Vector2d> ground_;  ///< Where passers-by walk.
   std::vector<PasserBy> passers_by_;

@@ -189,6 +189,29 @@ TEST(BaseFaults, B6AButtonWiredToADigitalInputIsAnEmergencyStop) {
   EXPECT_TRUE(robot.holds(Cause::EmergencyStop));
 }
 
+TEST(BaseFaults, SAF11TheStopButtonStopsTheWheelsWhateverAProgramSends) {
+  using pioneer::Command;
+  using pioneer::command;
+  const auto robot = driving_robot(0);
+  robot->hosted = false;  // no gate: something that has run wild holds the line
+  const auto run_wild = [&](double duration_s) {
+    for (int i = 0; i < static_cast<int>(duration_s / to_seconds(SimulatedBase::kStep)); ++i) {
+      for (const auto& bytes : {command(Command::Enable, 1), command(Command::Velocity, 500)}) {
+        static_cast<void>(robot->world.base_receive(bytes, robot->now));
+      }
+      robot->step();
+    }
+  };
+  run_wild(1.0);
+  ASSERT_GT(robot->wheel_mps(), 0.45);
+  robot->firmware().press_stop(true);
+  run_wild(2.0);
+  EXPECT_TRUE(robot->stands());
+  const double way_m = robot->way_m;
+  run_wild(5.0);
+  EXPECT_EQ(robot->way_m, way_m) << "0 mm while it is pressed";
+}
+
 TEST(BaseFaults, B7AnEmptyBatteryStopsTheWheelsAfterFiveSeconds) {
   const auto robot = driving_robot(0);
   robot->faults().battery_v = 11.6;

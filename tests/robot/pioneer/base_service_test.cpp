@@ -188,7 +188,7 @@ TEST_F(BaseServiceTest, StandsUntilTheHostHasTheMapWhoseZonesItMinds) {
   auto poses = bus.writer(topic::kRobotPose);
   Driver driver{bus, site_.robot, clock_};
   bus::Bus base_bus{bus::host_domain(site_, "base")};
-  const MapZones zones{{{{{900.0, 0.0}, {901.0, 0.0}, {901.0, 1.0}}, 0.0}}, "abc"};
+  const MapZones zones{{{"far", {{900.0, 0.0}, {901.0, 0.0}, {901.0, 1.0}}, AreaRule::KeepOut, 0.0}}, "abc"};
   BaseService service{config_, zones, site_, base_bus, clock_, clock_};
   const auto drive = [&] {
     driver.command_and_scan();

@@ -143,7 +143,7 @@ class PlannerServiceTest : public ::testing::Test {
   bus::Latest<msg::SearchBelief, msg::SearchBeliefPubSubType> belief = others.latest(topic::kBelief);
   bus::Latest<msg::RewardSource, msg::RewardSourcePubSubType> sources = others.latest(topic::kRewardSource);
   bus::Latest<msg::SourceRelation, msg::SourceRelationPubSubType> relations = others.latest(topic::kSourceRelation);
-  PlannerService service{quick_config(), site, planner_bus, clock};
+  PlannerService service{quick_config(), site, {}, planner_bus, clock};
 };
 
 TEST_F(PlannerServiceTest, APlanIsProposedThenAcceptedThenRefreshedEverySecond) {

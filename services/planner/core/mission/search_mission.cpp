@@ -26,9 +26,10 @@ SearchMission::SearchMission(const PlannerConfig& config, std::string robot, std
 
 SearchMission::~SearchMission() = default;
 
-void SearchMission::set_map(OccupancyGrid map) {
+void SearchMission::set_map(OccupancyGrid map, std::vector<MapArea> zones) {
   if (map_ && *map_ == map) return;
   map_ = std::move(map);
+  zones_ = std::move(zones);
   stop_computing();
   world_.reset();
   drawn_.clear();
@@ -206,8 +207,7 @@ ExploredShares SearchMission::explored() const {
 void SearchMission::prepare() {
   if (world_ || !map_ || !seen_[kRobot]) return;
   const Vector2d start = seen_[kRobot]->map_from_agent.position();
-  auto world = std::make_unique<SearchWorld>(std::vector{*map_},
-                                             search_world_options(config_, agents_[kRobot], agents_[kPerson], start));
+  auto world = search_world(*map_, zones_, search_world_options(config_, agents_[kRobot], agents_[kPerson], start));
   if (world->area().size() == 0) {
     fail("there is no floor to search around the robot");
     map_.reset();  // until another one comes

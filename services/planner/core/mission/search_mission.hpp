@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "services/common/time.hpp"
+#include "services/mapping/core/map_areas.hpp"
 #include "services/planner/core/acceptance/plan_acceptance.hpp"
 #include "services/planner/core/inform/inform_schedule.hpp"
 #include "services/planner/core/inform/person_knowledge.hpp"
@@ -74,7 +75,8 @@ class SearchMission {
   SearchMission(const PlannerConfig& config, std::string robot, std::string person);
   ~SearchMission();
 
-  void set_map(OccupancyGrid map);
+  /// `zones`: those of the map; the robot's paths keep out of them.
+  void set_map(OccupancyGrid map, std::vector<MapArea> zones = {});
   /// A session of this name runs: a new name is a new search.
   void run_session(const std::string& code, Time now);
   void end_session();
@@ -183,6 +185,7 @@ class SearchMission {
   PlannerConfig config_;
   std::array<std::string, 2> agents_;
   std::optional<OccupancyGrid> map_;
+  std::vector<MapArea> zones_;
   std::unique_ptr<SearchWorld> world_;
   std::optional<SearchBelief> belief_;
   std::array<Watch, 2> watches_;

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "services/cli/topics/live_terminal.hpp"
+#include "services/cli/live_terminal.hpp"
 
 namespace tandem::cli {
 namespace {

@@ -25,8 +25,12 @@ inline std::vector<Wall> box(double left, double bottom, double right, double to
 /// A robot that does what it is told within its accelerations and the rules of the safety gate, in a world of walls.
 class Drive {
  public:
-  Drive(const NavigatorConfig& config, std::vector<Wall> walls, Pose2 start, LinkLoss link_loss = LinkLoss::Stop)
-      : config_(config), navigator_(config, link_loss), walls_(std::move(walls)), pose_(start) {}
+  Drive(const NavigatorConfig& config, std::vector<Wall> walls, Pose2 start, LinkLoss link_loss = LinkLoss::Stop,
+        std::vector<MapArea> zones = {})
+      : config_(config),
+        navigator_(config, link_loss, Zones{std::move(zones)}),
+        walls_(std::move(walls)),
+        pose_(start) {}
 
   /// Accepts a plan with these points and keeps it alive from now on.
   void accept(std::vector<Eigen::Vector2d> points, const std::string& id = "plan1") {

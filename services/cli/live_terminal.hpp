@@ -2,6 +2,7 @@
 
 #include <termios.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,8 @@ class LiveTerminal {
 
   /// Draws `lines` from the top; what does not fit is cut.
   void draw(const std::vector<std::string>& lines);
-  /// Waits for a key, up to `timeout`. True if `q` was pressed.
-  [[nodiscard]] bool quit_pressed(Duration timeout);
+  /// Waits for keys, up to `timeout`: what was typed, as the terminal sends it. None once the terminal is gone.
+  [[nodiscard]] std::optional<std::string> keys(Duration timeout);
 
  private:
   termios before_{};

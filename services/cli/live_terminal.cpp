@@ -1,4 +1,4 @@
-#include "services/cli/topics/live_terminal.hpp"
+#include "services/cli/live_terminal.hpp"
 
 #include <poll.h>
 #include <sys/ioctl.h>
@@ -30,6 +30,7 @@ LiveTerminal::LiveTerminal() {
   tcgetattr(STDIN_FILENO, &before_);
   termios keys = before_;
   keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);  // a key counts at once; Ctrl-C stays a signal
+  keys.c_cc[VSUSP] = keys.c_cc[VQUIT] = _POSIX_VDISABLE;  // the others would leave the terminal like this
   tcsetattr(STDIN_FILENO, TCSANOW, &keys);
   std::fputs(kEnter, stdout);
   std::fflush(stdout);
@@ -50,12 +51,14 @@ void LiveTerminal::draw(const std::vector<std::string>& lines) {
   std::fflush(stdout);
 }
 
-bool LiveTerminal::quit_pressed(Duration timeout) {
+std::optional<std::string> LiveTerminal::keys(Duration timeout) {
   pollfd keyboard{STDIN_FILENO, POLLIN, 0};
   const auto timeout_ms = std::chrono::duration_cast<std::chrono::milliseconds>(timeout).count();
-  if (poll(&keyboard, 1, static_cast<int>(timeout_ms)) <= 0) return false;
-  char key = 0;
-  return read(STDIN_FILENO, &key, 1) != 1 || key == 'q' || key == 'Q';  // a terminal that is gone ends it too
+  if (poll(&keyboard, 1, static_cast<int>(timeout_ms)) <= 0) return "";
+  char typed[64];
+  const ssize_t count = read(STDIN_FILENO, typed, sizeof(typed));
+  if (count <= 0) return std::nullopt;
+  return std::string{typed, static_cast<std::size_t>(count)};
 }
 
 std::string printable(const std::string& text) {
