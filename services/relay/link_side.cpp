@@ -1,13 +1,11 @@
 #include "services/relay/link_side.hpp"
 
-#include <map>
-
 #include "services/relay/relay_messages.hpp"
 
 namespace tandem {
 namespace {
 
-/// How long after joining the link a State that still lives has come again.
+/// How long after the other host's writer was found a State that still lives has come again.
 constexpr Duration kResynchronised = std::chrono::seconds{10};
 
 /// Passes on that an instance ended, or lost or found again its writer: a State never looks more alive over there.
@@ -32,8 +30,9 @@ void pass_on(bus::RawSample::Kind kind, const bus::KeyHash& key, bus::RawWriter&
 /// A topic from the host's services to the link.
 class LinkSide::OutwardRoute {
  public:
-  OutwardRoute(const TopicInfo& topic, bus::Bus& host, bus::Bus& link, std::size_t scan_beams)
+  OutwardRoute(const TopicInfo& topic, HostRole role, bus::Bus& host, bus::Bus& link, std::size_t scan_beams)
       : topic_(topic.name),
+        own_readers_(carries(rule_of(topic), role, Crossing::LinkToHost) ? 1 : 0),
         thins_scans_(topic.name == topic::kScan.name),
         scan_beams_(scan_beams),
         gate_(rule_of(topic)),
@@ -42,7 +41,7 @@ class LinkSide::OutwardRoute {
         subscription_(host.subscribe(topic, box_)) {}
 
   [[nodiscard]] bus::WriterId writer_id() const { return writer_->id(); }
-  [[nodiscard]] int matched() const { return writer_->matched_readers(); }
+  [[nodiscard]] bool finds_other() const { return writer_->matched_readers() > own_readers_; }
   [[nodiscard]] const std::string& topic() const { return topic_; }
 
   void forward(Time now, const std::set<bus::WriterId>& own) {
@@ -63,6 +62,7 @@ class LinkSide::OutwardRoute {
   }
 
   std::string topic_;
+  int own_readers_;  // a topic of both directions is matched by ourselves, too
   bool thins_scans_;
   std::size_t scan_beams_;
   ForwardingGate gate_;
@@ -74,16 +74,16 @@ class LinkSide::OutwardRoute {
 /// A topic from the link to the host's services.
 class LinkSide::InwardRoute {
  public:
-  InwardRoute(InwardTopic& to, bus::Bus& link)
+  InwardRoute(InwardTopic& to, HostRole role, bus::Bus& link)
       : to_(to),
+        own_writers_(carries(rule_of(to.topic), role, Crossing::HostToLink) ? 1 : 0),
         gate_(rule_of(to.topic)),
         box_(std::make_shared<bus::InOrderBox>(1000)),
-        subscription_(link.subscribe(to.topic, box_)),
-        joined_(link.clock().now()) {
+        subscription_(link.subscribe(to.topic, box_)) {
     to_.ledger.begin_round();
   }
 
-  [[nodiscard]] int matched() const { return subscription_->matched_writers(); }
+  [[nodiscard]] bool finds_other() const { return subscription_->matched_writers() > own_writers_; }
   [[nodiscard]] std::string topic() const { return std::string{to_.topic.name}; }
 
   /// `understood`: the other host's messages mean what ours do; what cannot be understood is left out.
@@ -102,16 +102,18 @@ class LinkSide::InwardRoute {
       to_.writer->write(sample.payload, sample.key, source_time);
       if (to_.topic.delivery == Delivery::State) to_.ledger.came(sample.key);
     }
-    if (now - joined_ < kResynchronised) return;
+    if (!found_ && finds_other()) found_ = now;
+    if (!found_ || now - *found_ < kResynchronised) return;
     for (const auto& key : to_.ledger.take_missing()) to_.writer->dispose(key);
   }
 
  private:
   InwardTopic& to_;
+  int own_writers_;  // see own_readers_
   ForwardingGate gate_;
   std::shared_ptr<bus::InOrderBox> box_;
   std::unique_ptr<bus::Subscription> subscription_;
-  Time joined_;
+  std::optional<Time> found_;  // when the other host's writer was
 };
 
 LinkSide::LinkSide(const bus::DomainOptions& options, HostRole role, const RelayConfig& config, bus::Bus& host,
@@ -123,13 +125,13 @@ LinkSide::LinkSide(const bus::DomainOptions& options, HostRole role, const Relay
       heartbeats_out_(link_.writer(topic::kLinkHeartbeat)),
       heartbeats_in_(link_.in_order(topic::kLinkHeartbeat)) {
   for (auto& to : inward) {
-    inward_.push_back(std::make_unique<InwardRoute>(to, link_));
+    inward_.push_back(std::make_unique<InwardRoute>(to, role, link_));
     own_.insert(to.writer->id());
   }
   const auto scan_beams = static_cast<std::size_t>(config.scan_beams);
   for (const auto& topic : topics_by_urgency()) {
     if (!carries(rule_of(topic), role, Crossing::HostToLink)) continue;
-    outward_.push_back(std::make_unique<OutwardRoute>(topic, host_, link_, scan_beams));
+    outward_.push_back(std::make_unique<OutwardRoute>(topic, role, host_, link_, scan_beams));
     own_.insert(outward_.back()->writer_id());
   }
   outward_thread_ = std::thread{[this] { carry_out(); }};
@@ -149,17 +151,19 @@ std::vector<bus::Received<msg::LinkHeartbeat>> LinkSide::heartbeats() {
 }
 
 std::vector<std::string> LinkSide::unmatched() const {
-  std::map<std::string, int> own;  // a topic of both directions is matched by ourselves, too
-  for (const auto& route : outward_) ++own[route->topic()];
-  for (const auto& route : inward_) ++own[route->topic()];
   std::vector<std::string> topics;
   for (const auto& route : outward_) {
-    if (route->matched() < own.at(route->topic())) topics.push_back(route->topic());
+    if (!route->finds_other()) topics.push_back(route->topic());
   }
   for (const auto& route : inward_) {
-    if (route->matched() < own.at(route->topic())) topics.push_back(route->topic());
+    if (!route->finds_other()) topics.push_back(route->topic());
   }
   return topics;
+}
+
+bool LinkSide::finds_other() const {
+  return heartbeats_in_.matched_writers() > 1 ||  // one is ours
+         unmatched().size() < outward_.size() + inward_.size();
 }
 
 void LinkSide::carry_out() {

@@ -45,6 +45,8 @@ class LinkSide {
   [[nodiscard]] std::vector<bus::Received<msg::LinkHeartbeat>> heartbeats();
   /// Topics for which the other host's relay has not been found, as a reader or as a writer.
   [[nodiscard]] std::vector<std::string> unmatched() const;
+  /// Whether any reader or writer of the other host's relay is known.
+  [[nodiscard]] bool finds_other() const;
   /// Whether the other host's messages mean what ours do. While not, nothing of it comes in.
   void understand(bool understood) { understood_ = understood; }
 

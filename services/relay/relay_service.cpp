@@ -2,6 +2,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+
 #include "services/common/format.hpp"
 #include "services/common/version.hpp"
 #include "services/relay/link_security.hpp"
@@ -118,12 +120,22 @@ void RelayService::look_for_refused() {
 
 void RelayService::mend_torn_link(bool is_up, Time now) {
   if (!link_ || is_alone()) return;
-  const std::vector<std::string> unmatched = is_up ? link_->unmatched() : std::vector<std::string>{};
-  if (!torn_.add(now, is_up, unmatched.size())) return;
-  std::string topics;
-  for (const std::string& topic : unmatched) topics += (topics.empty() ? "" : ",") + topic;
-  spdlog::warn("link joined anew: the other host is heard, but not found on all topics: unmatched={}", topics);
+  const std::vector<std::string> unmatched = link_->unmatched();
+  // A stranger is found as well, but does not count as silent: it is heard, and named.
+  if (!torn_.add(now, {is_up, link_->finds_other() && !hears_strangers(now), unmatched.size()})) return;
+  if (is_up) {
+    std::string topics;
+    for (const std::string& topic : unmatched) topics += (topics.empty() ? "" : ",") + topic;
+    spdlog::warn("link joined anew: the other host is heard, but not found on all topics: unmatched={}", topics);
+  } else {
+    spdlog::warn("link joined anew: the other host's relay is announced, but its heartbeats do not come");
+  }
   join_link(std::string{link_->address()});
+}
+
+bool RelayService::hears_strangers(Time now) const {
+  return std::any_of(strangers_.begin(), strangers_.end(),
+                     [&](const auto& stranger) { return now - stranger.second.heard <= kStrangerNamed; });
 }
 
 std::optional<Duration> RelayService::clock_offset() const {

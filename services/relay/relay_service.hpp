@@ -33,8 +33,9 @@ class RelayService {
   void join_link(const std::string& address);
   void set_trouble(const char* what, const std::string& trouble);
   void look_for_refused();
-  /// Joins the link anew where the other host is heard, but not all of it is found.
+  /// Joins the link anew where the other host is heard, but not all of it is found, or where it is there, but silent.
   void mend_torn_link(bool is_up, Time now);
+  [[nodiscard]] bool hears_strangers(Time now) const;
   [[nodiscard]] LinkState exchange_heartbeats(Time now);
   /// Whether a heartbeat is one of the other host of this team; names it if not.
   [[nodiscard]] bool is_of_our_peer(const bus::Received<msg::LinkHeartbeat>& heartbeat);

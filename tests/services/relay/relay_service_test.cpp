@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
 
 #include "services/relay/relay_messages.hpp"
@@ -83,23 +84,37 @@ TEST(Relay, ItsOwnHealthReachesTheOtherHostAndNothingGoesInCircles) {
   EXPECT_LE(count.take().size(), 8U);
 }
 
+/// Steps the robot's relay until its heartbeats have come from two participants: it has joined the link anew.
+bool joins_anew(Host& robot, bus::Bus& laptop, const std::function<void()>& each_step) {
+  auto heard = laptop.in_order(topic::kLinkHeartbeat);
+  std::set<bus::WriterId> participants;
+  return bus::wait_until(laptop, seconds{30}, [&] {
+    each_step();
+    robot.relay.step();
+    for (const auto& beat : heard.take()) {
+      if (beat.message.host() == "robot1") participants.insert(beat.writer);
+    }
+    return participants.size() == 2;
+  });
+}
+
 TEST(Relay, JoinsTheLinkAnewWhereTheOtherHostIsHeardButNotFound) {
   const test::DomainLease domains{2};
   Host robot{"robot1", "robot", "robot1", domains[0], domains[1]};
   // Of this laptop nothing was discovered but its heartbeats.
   bus::Bus laptop{link_of("laptop1", domains[1])};
   auto beats = laptop.writer(topic::kLinkHeartbeat);
-  auto heard = laptop.in_order(topic::kLinkHeartbeat);
   LinkMonitor monitor{"laptop1", seconds{2}};
-  std::set<bus::WriterId> participants;
-  EXPECT_TRUE(bus::wait_until(laptop, seconds{30}, [&] {
-    beats.write(to_message(monitor.next_heartbeat(laptop.clock().now()), "laptop"));
-    robot.relay.step();
-    for (const auto& beat : heard.take()) {
-      if (beat.message.host() == "robot1") participants.insert(beat.writer);
-    }
-    return participants.size() == 2;
-  }));
+  EXPECT_TRUE(joins_anew(robot, laptop,
+                         [&] { beats.write(to_message(monitor.next_heartbeat(laptop.clock().now()), "laptop")); }));
+}
+
+TEST(Relay, JoinsTheLinkAnewWhereTheOtherHostIsFoundButNotHeard) {
+  const test::DomainLease domains{2};
+  Host robot{"robot1", "robot", "robot1", domains[0], domains[1]};
+  bus::Bus laptop{link_of("laptop1", domains[1])};
+  auto beats = laptop.writer(topic::kLinkHeartbeat);
+  EXPECT_TRUE(joins_anew(robot, laptop, [] {}));
 }
 
 TEST(Relay, AVelocityOnTheLinkNeverArrives) {
