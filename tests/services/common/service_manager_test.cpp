@@ -7,8 +7,9 @@
 
 #include <array>
 #include <cstdlib>
-#include <filesystem>
 #include <string>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace tandem {
 namespace {
@@ -16,19 +17,17 @@ namespace {
 /// The manager's end of the socket that $NOTIFY_SOCKET names.
 class Manager {
  public:
-  Manager() : path_(std::filesystem::temp_directory_path() / ("manager-" + std::to_string(getpid()))) {
-    std::filesystem::remove(path_);
+  Manager() : path_((folder_ / "manager").string()) {
     socket_ = ::socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
-    path_.string().copy(address.sun_path, sizeof(address.sun_path) - 1);
+    path_.copy(address.sun_path, sizeof(address.sun_path) - 1);
     EXPECT_EQ(::bind(socket_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
     ::setenv("NOTIFY_SOCKET", path_.c_str(), 1);
   }
   ~Manager() {
     ::unsetenv("NOTIFY_SOCKET");
     ::close(socket_);
-    std::filesystem::remove(path_);
   }
   Manager(const Manager&) = delete;
   Manager& operator=(const Manager&) = delete;
@@ -44,7 +43,8 @@ class Manager {
   }
 
  private:
-  std::filesystem::path path_;
+  test::TemporaryFolder folder_;
+  std::string path_;
   int socket_ = -1;
 };
 
