@@ -82,6 +82,12 @@ class LinkSide::InwardRoute {
         subscription_(link.subscribe(to.topic, box_)) {
     to_.ledger.begin_round();
   }
+  /// Nobody vouches any more for what it brought: marked, until it comes again over the next link.
+  ~InwardRoute() {
+    for (const auto& key : to_.ledger.living()) to_.writer->withdraw(key);
+  }
+  InwardRoute(const InwardRoute&) = delete;
+  InwardRoute& operator=(const InwardRoute&) = delete;
 
   [[nodiscard]] bool finds_other() const { return subscription_->matched_writers() > own_writers_; }
   [[nodiscard]] std::string topic() const { return std::string{to_.topic.name}; }

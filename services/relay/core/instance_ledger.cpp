@@ -2,6 +2,12 @@
 
 namespace tandem {
 
+std::vector<InstanceLedger::Key> InstanceLedger::living() const {
+  std::vector<Key> keys;
+  for (const auto& [key, round] : round_of_) keys.push_back(key);
+  return keys;
+}
+
 std::vector<InstanceLedger::Key> InstanceLedger::take_missing() {
   std::vector<Key> missing;
   for (const auto& [key, round] : round_of_) {

@@ -18,6 +18,8 @@ class InstanceLedger {
   void begin_round() { ++round_; }
   void came(const Key& key) { round_of_[key] = round_; }
   void ended(const Key& key) { round_of_.erase(key); }
+  /// All that came, in this round or before, and did not end.
+  [[nodiscard]] std::vector<Key> living() const;
   /// Instances that did not come in this round; they are forgotten.
   [[nodiscard]] std::vector<Key> take_missing();
 

@@ -26,6 +26,16 @@ TEST(InstanceLedger, WhatHadEndedIsNotMissing) {
   EXPECT_TRUE(ledger.take_missing().empty());
 }
 
+TEST(InstanceLedger, LivingIsWhatCameInAnyRoundAndDidNotEnd) {
+  InstanceLedger ledger;
+  ledger.came(kFirst);
+  ledger.begin_round();
+  ledger.came(kSecond);
+  EXPECT_EQ(ledger.living(), (std::vector{kFirst, kSecond}));
+  ledger.ended(kFirst);
+  EXPECT_EQ(ledger.living(), std::vector{kSecond});
+}
+
 TEST(InstanceLedger, NothingIsMissingInTheFirstRound) {
   InstanceLedger ledger;
   ledger.came(kFirst);
