@@ -151,24 +151,30 @@ async function isTold(page, heard) {
   check("it is gone then", (await gotIt.count()) === 0);
 }
 
+/** When the page feels the next finger [Unix ms]: what the browser's driver takes to put it there is not the product's. */
+async function nextTouch(page) {
+  await page.evaluate(() => {
+    globalThis.touched = undefined;
+    addEventListener("pointerdown", () => (globalThis.touched = Date.now()), { capture: true, once: true });
+  });
+  return () => until("the page feels the finger", () => page.evaluate(() => globalThis.touched));
+}
+
 async function stops(page, wheels) {
-  await until("the robot drives ahead", () => wheels.newest().left_mps > 0.15 && wheels.newest().right_mps > 0.15, 30);
-  const pressed = performance.now();
-  const before = wheels.changes();
-  const seconds = () => (performance.now() - pressed) / 1000;
-  const tapped = page.locator("button.stop").tap();
-  await until("the wheels stand", () => wheels.speed() < kStanding_mps, 5);
-  const [took, fastest] = [seconds(), wheels.fastestSince(before - 1)];
+  await until("the robot drives ahead", () => wheels.newest().left_mps > 0.15 && wheels.newest().right_mps > 0.15, 60);
+  const touched = await nextTouch(page);
+  await page.locator("button.stop").tap();
+  const pressed = await touched();
+  const stood = await until("the wheels stand", () => wheels.standingAfter(pressed, kStanding_mps), 5);
+  const [took, fastest] = [(stood - pressed) / 1000, wheels.fastestSince(pressed)];
   const promised = kDelivery_s + fastest / kDeceleration_mps2 + kCycles_s;
   check(`STOP stops the wheels: from ${fastest.toFixed(2)} m/s in ${took.toFixed(2)} s, promised in ${promised.toFixed(2)} s`,
     took <= promised);
-  await tapped;
   await page.locator(".resume").waitFor();
   await until("the page says so", () => page.locator('[data-name="robot"].bad').count());
   await picture(page, "stopped");
-  const standing = wheels.changes();
-  await until("three seconds are over", () => seconds() > took + 3);
-  check("and they stay so", wheels.fastestSince(standing) < kStanding_mps);
+  await until("three seconds are over", () => Date.now() > stood + 3000);
+  check("and they stay so", wheels.fastestSince(stood) < kStanding_mps);
 }
 
 async function goesOn(page, wheels) {

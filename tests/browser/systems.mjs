@@ -83,13 +83,20 @@ export async function pairingLink({ linkFile }) {
 export function watchWheels(build, domain) {
   const watch = start(join(build, "tests/wheel_watch"), [String(domain)]);
   const turning = ({ left_mps: left, right_mps: right }) => Math.max(Math.abs(left), Math.abs(right));
+  const all = () => watch.lines.map((line) => JSON.parse(line));
   return {
-    changes: () => watch.lines.length,
-    newest: () => (watch.lines.length === 0 ? { left_mps: 0, right_mps: 0 } : JSON.parse(watch.lines.at(-1))),
+    newest: () => all().at(-1) ?? { unix_ms: 0, left_mps: 0, right_mps: 0 },
     speed() {
       return turning(this.newest());
     },
-    /** The fastest since `changes()` was `from`. */
-    fastestSince: (from) => Math.max(0, ...watch.lines.slice(from).map((line) => turning(JSON.parse(line)))),
+    /** The fastest since `unix_ms`, that at this moment included. */
+    fastestSince(unix_ms) {
+      const before = all().filter((line) => line.unix_ms <= unix_ms).at(-1);
+      const after = all().filter((line) => line.unix_ms > unix_ms);
+      return Math.max(0, ...[...(before === undefined ? [] : [before]), ...after].map(turning));
+    },
+    /** When they first stood after `unix_ms`; undefined while they have not. */
+    standingAfter: (unix_ms, standing_mps) =>
+      all().find((line) => line.unix_ms > unix_ms && turning(line) < standing_mps)?.unix_ms,
   };
 }

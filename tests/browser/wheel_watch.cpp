@@ -1,6 +1,8 @@
-// Prints the true speed of the wheels whenever it changes, as JSON lines {"left_mps": ..., "right_mps": ...}.
+// Prints the true speed of the wheels whenever it changes, and since when, as JSON lines
+// {"unix_ms": ..., "left_mps": ..., "right_mps": ...}.
 // usage: wheel_watch DOMAIN
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -31,7 +33,8 @@ int main(int argc, char** argv) try {
     if (!now || (now->message.left_wheel_mps() == left && now->message.right_wheel_mps() == right)) continue;
     left = now->message.left_wheel_mps();
     right = now->message.right_wheel_mps();
-    std::cout << R"({"left_mps":)" << left << R"(,"right_mps":)" << right << "}" << std::endl;
+    constexpr std::int64_t kNsPerMs = 1'000'000;
+    std::cout << R"({"unix_ms":)" << now->message.stamp_ns() / kNsPerMs << R"(,"left_mps":)" << left << R"(,"right_mps":)" << right << "}" << std::endl;
   }
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {
