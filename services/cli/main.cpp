@@ -14,7 +14,9 @@
 #include "services/cli/plan_command.hpp"
 #include "services/cli/record_command.hpp"
 #include "services/cli/replay_command.hpp"
+#include "services/cli/report_command.hpp"
 #include "services/cli/secure_command.hpp"
+#include "services/cli/session_command.hpp"
 #include "services/cli/stop_command.hpp"
 #include "services/cli/study_command.hpp"
 #include "services/cli/teleop_command.hpp"
@@ -35,6 +37,7 @@ int main(int argc, char** argv) {
   add_stop_commands(app);
   add_record_command(app);
   add_replay_command(app);
+  add_report_command(app);
   add_info_command(app);
   add_import_command(app);
   add_localize_command(app);
@@ -43,6 +46,7 @@ int main(int argc, char** argv) {
   add_calibrate_command(app);
   add_plan_command(app);
   add_secure_command(app);
+  add_session_command(app);
   add_config_command(app);
   add_doctor_command(app);
   add_bundle_command(app);

@@ -34,6 +34,7 @@ struct StudyOptions {
   double limit_s = 0.0;
   unsigned threads = 0;
   std::string output;
+  bool record = false;
   bool json = false;
   bool csv = false;
 };
@@ -60,6 +61,7 @@ StudyPlan plan_of(const StudyOptions& options) {
   plan.seed = options.seed;
   plan.episodes = options.episodes;
   plan.budget_ms = options.budget_ms;
+  if (options.record) plan.recordings = fs::path{options.output} / "recordings";
   plan.threads = options.threads > 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
   return plan;
 }
@@ -105,6 +107,7 @@ void print_text(const StudyPlan& plan, const experiment::StudySettings& settings
 
 void run(const StudyOptions& options) {
   (void)stop_requested();  // from here on Ctrl-C is asked for
+  if (options.record && options.output.empty()) throw WrongUse{"study: --record needs --output, a folder for them"};
   if (options.json && options.csv) throw WrongUse{"study: --json or --csv, not both"};
   if (options.budget_ms > 0.0 && options.rollouts >= 0) throw WrongUse{"study: --budget-ms or --rollouts, not both"};
   const auto& humans = experiment::human_names();
@@ -122,6 +125,7 @@ void run(const StudyOptions& options) {
                                            .budget_ms = plan.budget_ms,
                                            .config_hash = hash_of(plan)};
   if (!options.output.empty()) fs::create_directories(options.output);
+  if (options.record) fs::create_directories(plan.recordings);
   StudyFile file =
       options.output.empty() ? StudyFile{settings} : StudyFile{settings, fs::path{options.output} / "episodes.jsonl"};
   {
@@ -181,6 +185,8 @@ void add_study_command(CLI::App& tandem) {
       ->check(CLI::Range(1, 256));
   command->add_option("--output", options->output,
                       "Folder for episodes.jsonl, study.json, study.csv; a run goes on there");
+  command->add_flag("--record", options->record,
+                    "Records each episode in the folder recordings of --output, for tandem report");
   command->add_flag("--json", options->json, "As JSON");
   command->add_flag("--csv", options->csv, "The episodes as CSV");
   command->callback([options] { run(*options); });

@@ -67,7 +67,8 @@ SimulatedTeam::SimulatedTeam(const TeamOptions& options) : options_(options) {
   plan.session_code = "test";
   plan.limit_s = 600.0;
   const simulator::Place place{load_map(run.map)};
-  plan.robot_start = simulator::scene_of(scenario, place, simulator::MapChoice::OwnMap, options.seed).robot_start;
+  robot_start_ = simulator::scene_of(scenario, place, simulator::MapChoice::OwnMap, options.seed).robot_start;
+  plan.robot_start = robot_start_;
 
   const fs::path programs = fs::path{TANDEM_BINARY_DIR} / "bin";
   auto robot_services = cli::services_of("robot");
@@ -93,7 +94,7 @@ SimulatedTeam::SimulatedTeam(const TeamOptions& options) : options_(options) {
   });
   truth_ = std::make_unique<bus::InOrder<msg::GroundTruth, msg::GroundTruthPubSubType>>(
       robot_bus_->in_order(topic::kGroundTruth));
-  episode_ = std::make_unique<cli::Episode>(*laptop_bus_, laptop_site_, plan, place.map());
+  if (options.is_led) episode_ = std::make_unique<cli::Episode>(*laptop_bus_, laptop_site_, plan, place.map());
 }
 
 SimulatedTeam::~SimulatedTeam() {
@@ -111,7 +112,7 @@ std::filesystem::path SimulatedTeam::recording(const std::string& role) const {
 bool SimulatedTeam::run_until(Duration timeout, const std::function<bool()>& condition) {
   return bus::wait_until(*robot_bus_, timeout,
                          [&] {
-                           episode_->step();
+                           if (episode_) episode_->step();
                            for (auto& truth : truth_->take()) newest_truth_ = std::move(truth.message);
                            note_ends();
                            return !unexpected_end_.empty() || condition();

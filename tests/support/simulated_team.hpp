@@ -33,6 +33,7 @@ struct TeamOptions {
   int laptop_domain = 0;
   int link_domain = 0;
   bool play = false;
+  bool is_led = true;                ///< by its own episode; else by whoever the test lets do it
   std::vector<std::string> without;  ///< services that are not started, as "planner" or "robot1/map-server"
   HostNetwork robot_network;         ///< with the simulated world, and with the person's phone
   HostNetwork laptop_network;
@@ -45,7 +46,8 @@ class SimulatedTeam {
   explicit SimulatedTeam(const TeamOptions& options);
   ~SimulatedTeam();
 
-  /// Leads the episode until `condition` holds. False after `timeout`, or when a process ended that was not killed.
+  /// Leads the episode, if it is led, until `condition` holds. False after `timeout`, or when a process ended that was
+  /// not killed.
   bool run_until(Duration timeout, const std::function<bool()>& condition);
   /// Kills a service at once: "base", "relay", ... of the host that is named.
   void kill(const std::string& host, const std::string& service);
@@ -58,7 +60,10 @@ class SimulatedTeam {
     return supervisor_.id_of(host + "/" + service);
   }
 
+  /// Of a team that is led.
   [[nodiscard]] cli::Episode& episode() { return *episode_; }
+  /// Where the robot stands at first, map_from_base.
+  [[nodiscard]] const Pose2& robot_start() const { return robot_start_; }
   [[nodiscard]] bus::Bus& robot_bus() { return *robot_bus_; }
   [[nodiscard]] bus::Bus& laptop_bus() { return *laptop_bus_; }
   [[nodiscard]] const cli::RunFolder& folder() const { return folder_; }
@@ -87,6 +92,7 @@ class SimulatedTeam {
   TeamOptions options_;
   cli::RunFolder folder_;
   SiteConfig laptop_site_;
+  Pose2 robot_start_;
   cli::Supervisor supervisor_;
   std::unique_ptr<bus::Bus> robot_bus_;
   std::unique_ptr<bus::Bus> laptop_bus_;

@@ -9,7 +9,9 @@
 #include <thread>
 #include <vector>
 
+#include "services/cli/study/study_recorder.hpp"
 #include "services/cli/thread_time.hpp"
+#include "services/recorder/recording_file.hpp"
 
 namespace tandem::cli {
 namespace {
@@ -34,6 +36,25 @@ std::optional<experiment::PlanningTime> planning_time(double budget_ms, double& 
                                   [&began_ms, budget_ms] { return thread_cpu_ms() - began_ms >= budget_ms; }};
 }
 
+std::optional<experiment::EpisodeResult> play_one(const StudyPlan& plan, experiment::EpisodeWorld& world,
+                                                  std::uint64_t seed,
+                                                  const std::optional<experiment::PlanningTime>& time,
+                                                  const std::function<bool()>& stop) {
+  if (plan.recordings.empty()) return world.play(plan.human, seed, time, stop);
+  std::optional<experiment::EpisodeResult> result;
+  struct GivenUp {};
+  try {
+    recorder::write_recording(study_recording(plan, seed), [&](mcap::Writer& writer) {
+      StudyRecorder recorder{writer, plan.map, {}, plan.human, plan.scenario.name + "-" + std::to_string(seed)};
+      result = world.play(plan.human, seed, time, stop, &recorder);
+      if (!result) throw GivenUp{};  // half an episode is not kept
+    });
+  } catch (const GivenUp&) {
+    return std::nullopt;
+  }
+  return result;
+}
+
 void play_some(const StudyPlan& plan, Work& work) {
   experiment::EpisodeWorld world(plan.scenario, plan.map, plan.team);
   double began_ms = 0.0;
@@ -42,10 +63,10 @@ void play_some(const StudyPlan& plan, Work& work) {
   for (;;) {
     const std::size_t index = work.next++;
     if (index >= work.seeds.size() || work.stop) return;
-    const auto episode = world.play(plan.human, work.seeds[index], time, stop);
+    const auto episode = play_one(plan, world, work.seeds[index], time, stop);
     if (!episode) return;
     const std::lock_guard lock(work.mutex);
-    work.file->add(*episode);
+    if (!work.file->has(episode->seed)) work.file->add(*episode);
     ++work.finished;
     work.changed.notify_all();
   }
@@ -67,11 +88,16 @@ void work_on(const StudyPlan& plan, Work& work) {
 
 }  // namespace
 
+std::filesystem::path study_recording(const StudyPlan& plan, std::uint64_t seed) {
+  return plan.recordings / (plan.scenario.name + "-" + plan.human + "-" + std::to_string(seed) + ".mcap");
+}
+
 void play_study(const StudyPlan& plan, StudyFile& file, const std::function<bool(std::uint64_t)>& keep_going) {
   Work work;
   work.file = &file;
   for (std::uint64_t seed = plan.seed; seed - plan.seed < plan.episodes; ++seed) {
-    if (!file.has(seed)) work.seeds.push_back(seed);
+    const bool is_recorded = plan.recordings.empty() || std::filesystem::exists(study_recording(plan, seed));
+    if (!file.has(seed) || !is_recorded) work.seeds.push_back(seed);
   }
   work.finished = plan.episodes - work.seeds.size();
   work.at_work = std::min<unsigned>(std::max(1U, plan.threads), static_cast<unsigned>(work.seeds.size()));

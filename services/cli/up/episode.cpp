@@ -54,6 +54,7 @@ Episode::Episode(bus::Bus& laptop, const SiteConfig& site, EpisodePlan plan, con
       plan_(std::move(plan)),
       began_(laptop.clock().now()),
       sessions_(laptop.writer(topic::kSession)),
+      told_sessions_(laptop.latest(topic::kSession)),
       hints_(laptop, topic::kPoseHint),
       health_(laptop.latest(topic::kServiceHealth)),
       robot_pose_(laptop.latest(topic::kRobotPose)),
@@ -70,9 +71,9 @@ Episode::Episode(bus::Bus& laptop, const SiteConfig& site, EpisodePlan plan, con
   session_.robot(site.robot);
   session_.agent(site.agent);
   session_.code(plan_.session_code);
-  session_.condition("demo");
-  session_.reminder("none");
-  session_.mode("human_robot");
+  session_.condition(plan_.condition);
+  session_.reminder(plan_.reminder);
+  session_.mode(plan_.mode);
   session_.phase(msg::SESSION_PREPARING);
   publish_session();
 }
@@ -83,42 +84,69 @@ void Episode::step() {
   const Time now = bus_.clock().now();
   switch (phase_) {
     case Phase::Starting:
-      if (const auto missing = missing_services(); missing.empty()) {
-        place_robot();
-      } else if (now - began_ > plan_.ready_within) {
-        reason_ = "not ready in time:";
-        for (const auto& name : missing) reason_ += " " + name;
-        end_session(Phase::Failed, "aborted");
-      } else {
-        view_.phase = "waiting for " + missing.front();
-      }
+      await_services(now);
       break;
-    case Phase::Placing: {
-      const auto outcome = hints_.outcome(hint_id_);
-      const auto pose = robot_pose_.newest();
-      if (pose && pose->message.status() == msg::LOCALIZATION_OK &&
-          outcome.state == bus::EventOutcome::State::Applied) {
-        start_session();
-      } else if (outcome.state == bus::EventOutcome::State::Refused) {
-        place_robot();  // it was not ready for it
-      } else if (now - began_ > plan_.ready_within) {
-        reason_ = "the robot does not find itself on the map" + (outcome.reason.empty() ? "" : ": " + outcome.reason);
-        end_session(Phase::Failed, "aborted");
-      }
+    case Phase::Placing:
+      await_pose(now);
       break;
-    }
     case Phase::Running:
-      view_.time_s = to_seconds(now - session_began_);
-      if (view_.found_at) {
-        end_session(Phase::Found, "found");
-      } else if (view_.time_s >= plan_.limit_s) {
-        reason_ = "nothing found within the limit";
-        end_session(Phase::TimeUp, "time_limit");
-      }
+      go_on(now);
       break;
     default:
       break;
   }
+}
+
+void Episode::await_services(Time now) {
+  const auto missing = missing_services();
+  if (missing.empty()) {
+    place_robot();
+  } else if (now - began_ > plan_.ready_within) {
+    reason_ = "not ready in time:";
+    for (const auto& name : missing) reason_ += " " + name;
+    end_session(Phase::Failed, "aborted");
+  } else {
+    view_.phase = "waiting for " + missing.front();
+  }
+}
+
+void Episode::await_pose(Time now) {
+  const auto pose = robot_pose_.newest();
+  const auto outcome = hints_.outcome(hint_id_);
+  const bool is_told = !plan_.robot_start || outcome.state == bus::EventOutcome::State::Applied;
+  if (plan_.without_robot || (is_told && pose && pose->message.status() == msg::LOCALIZATION_OK)) {
+    start_session();
+  } else if (plan_.robot_start && outcome.state == bus::EventOutcome::State::Refused) {
+    place_robot();  // it was not ready for it
+  } else if (now - began_ > plan_.ready_within) {
+    reason_ = "the robot does not find itself on the map" + (outcome.reason.empty() ? "" : ": " + outcome.reason) +
+              (plan_.robot_start ? "" : ": press Robot pose on the phone");
+    end_session(Phase::Failed, "aborted");
+  }
+}
+
+void Episode::go_on(Time now) {
+  view_.time_s = to_seconds(now - session_began_);
+  if (view_.found_at) {
+    end_session(Phase::Found, "found");
+  } else if (view_.time_s >= plan_.limit_s) {
+    reason_ = "nothing found within the limit";
+    end_session(Phase::TimeUp, "time_limit");
+  } else if (const auto outcome = outcome_by_another()) {
+    reason_ = "ended by another: " + *outcome;
+    end_session(Phase::Ended, *outcome);
+  }
+}
+
+std::optional<std::string> Episode::outcome_by_another() const {
+  for (const auto& received : told_sessions_.each()) {
+    const auto& told = received.message;
+    const bool is_ours = told.robot() == session_.robot() && told.code() == session_.code();
+    if (is_ours && told.phase() == msg::SESSION_ENDED && told.started_ns() == session_.started_ns()) {
+      return told.outcome();
+    }
+  }
+  return std::nullopt;
 }
 
 void Episode::abort(const std::string& reason) {
@@ -136,24 +164,26 @@ std::vector<std::string> Episode::missing_services() const {
     const bool waits_for_us = health.service() == "localization" && health.state() == msg::HEALTH_STARTING;
     if (health.state() != msg::HEALTH_OK && health.state() != msg::HEALTH_DEGRADED && !waits_for_us) continue;
     std::erase(missing, health.host() + "/" + health.service());
+    std::erase(missing, health.service());
   }
   return missing;
 }
 
 void Episode::place_robot() {
+  view_.phase = "placing the robot";
+  phase_ = Phase::Placing;
+  if (!plan_.robot_start) return;
   msg::PoseHint hint;
   hint.robot(site_.robot);
   hint.id(hint_id_ = bus::new_event_id("operator", bus_.clock()));
   hint.stamp_ns(to_stamp_ns(bus_.clock().now()));
   hint.who("operator");
-  hint.map_from_base().x(plan_.robot_start.x);
-  hint.map_from_base().y(plan_.robot_start.y);
-  hint.map_from_base().heading(plan_.robot_start.heading);
+  hint.map_from_base().x(plan_.robot_start->x);
+  hint.map_from_base().y(plan_.robot_start->y);
+  hint.map_from_base().heading(plan_.robot_start->heading);
   hint.heading_known(true);
   hint.standard_deviation_m(0.3);
   hints_.send(hint);
-  view_.phase = "placing the robot";
-  phase_ = Phase::Placing;
 }
 
 void Episode::start_session() {
@@ -171,7 +201,10 @@ void Episode::end_session(Phase phase, const std::string& outcome) {
   session_.ended_ns(to_stamp_ns(bus_.clock().now()));
   session_.outcome(outcome);
   publish_session();
-  view_.phase = phase == Phase::Found ? "found by " + view_.found_by : phase == Phase::TimeUp ? "time is up" : "failed";
+  view_.phase = phase == Phase::Found    ? "found by " + view_.found_by
+                : phase == Phase::TimeUp ? "time is up"
+                : phase == Phase::Ended  ? "ended"
+                                         : "failed";
   phase_ = phase;
 }
 

@@ -16,17 +16,23 @@ namespace tandem::cli {
 /// What an episode needs to know before it begins.
 struct EpisodePlan {
   std::string session_code;
+  std::string condition = "demo";
+  std::string reminder = "none";
+  std::string mode = "human_robot";
   double limit_s = 600.0;
-  Pose2 robot_start;                ///< map_from_base, told to the localization as an operator would
-  std::vector<std::string> needed;  ///< "robot1/base": whose health must be OK before the session starts
+  /// map_from_base, told to the localization as an operator would; none: it knows, or is told by *Robot pose*.
+  std::optional<Pose2> robot_start;
+  bool without_robot = false;  ///< two people: nobody's pose is waited for
+  /// Whose health must be OK before the session starts: "robot1/base", or "base" of whichever host.
+  std::vector<std::string> needed;
   Duration ready_within = std::chrono::seconds{60};
 };
 
 /// Leads one search from the laptop's domain: waits for the services, places the robot, opens the session, watches, and
-/// closes the session when the object is found or the time is up.
+/// closes the session when the object is found, the time is up, or somebody else has ended it.
 class Episode {
  public:
-  enum class Phase { Starting, Placing, Running, Found, TimeUp, Failed };
+  enum class Phase { Starting, Placing, Running, Found, TimeUp, Ended, Failed };
 
   Episode(bus::Bus& laptop, const SiteConfig& site, EpisodePlan plan, const OccupancyGrid& map);
 
@@ -48,6 +54,10 @@ class Episode {
   void observe_plan();
   void observe_robot();
   [[nodiscard]] std::vector<std::string> missing_services() const;
+  void await_services(Time now);
+  void await_pose(Time now);
+  void go_on(Time now);
+  [[nodiscard]] std::optional<std::string> outcome_by_another() const;
   void place_robot();
   void start_session();
   void end_session(Phase phase, const std::string& outcome);
@@ -67,6 +77,7 @@ class Episode {
   std::set<std::string> message_ids_;
 
   bus::Writer<msg::SessionState, msg::SessionStatePubSubType> sessions_;
+  bus::Latest<msg::SessionState, msg::SessionStatePubSubType> told_sessions_;  ///< ours, and what others say of it
   bus::EventSender<msg::PoseHint, msg::PoseHintPubSubType> hints_;
   bus::Latest<msg::ServiceHealth, msg::ServiceHealthPubSubType> health_;
   bus::Latest<msg::RobotPose, msg::RobotPosePubSubType> robot_pose_;

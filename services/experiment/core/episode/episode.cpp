@@ -16,6 +16,7 @@ using Eigen::Vector2d;
 constexpr double kStep_s = 0.1;
 constexpr int kStepsPerPlanning = 2;  ///< the planner is told and asked every so many steps
 constexpr Duration kPlanPeriod = std::chrono::seconds{1};
+constexpr Duration kBeliefPeriod = std::chrono::seconds{1};
 constexpr Duration kBetweenEpisodes = std::chrono::hours{1};
 constexpr double kRobotRadius_m = 0.4;
 constexpr double kLookAround_radps = 0.3;
@@ -37,9 +38,11 @@ std::vector<Vector2d> points_of(const TimedPath& path) {
 /// One episode under way.
 class Episode {
  public:
-  Episode(EpisodeWorld& world, std::string_view human, std::uint64_t seed, const std::optional<PlanningTime>& time)
+  Episode(EpisodeWorld& world, std::string_view human, std::uint64_t seed, const std::optional<PlanningTime>& time,
+          EpisodeObserver* observer)
       : world_(world),
         time_(time),
+        observer_(observer),
         scene_(simulator::scene_of(world.scenario_, world.place_, simulator::MapChoice::OwnMap, seed)),
         token_(middle_of(scene_.tokens_in_map)),
         rng_(seed),
@@ -63,6 +66,7 @@ class Episode {
   std::optional<EpisodeResult> play(const std::function<bool()>& stop) {
     world_.mission_.robot_at(now(), drive_.map_from_base());
     world_.mission_.run_session(session_, now());
+    if (observer_ != nullptr) observer_->began(now(), session_, token_);
     const auto steps = static_cast<std::int64_t>(std::lround(world_.scenario_.limit_s / kStep_s));
     for (std::int64_t step = 0; step < steps && !result_.found; ++step) {
       if (stop && stop()) {
@@ -73,6 +77,7 @@ class Episode {
       use_phone();
       move();
       look();
+      if (observer_ != nullptr) tell_observer();
     }
     finish();
     return std::move(result_);
@@ -117,6 +122,7 @@ class Episode {
     const bool is_news = plan.id != told_plan_ || standing != told_standing_;
     may_move_ = standing == PlanStanding::Accepted;
     if (!is_news && (!holds || now() < tell_again_)) return;
+    if (is_news && observer_ != nullptr) observer_->planned(now(), plan, standing);
     told_plan_ = plan.id;
     told_standing_ = standing;
     tell_again_ = now() + kPlanPeriod;
@@ -152,6 +158,7 @@ class Episode {
 
   void press(const simulator::PhoneMessage& message) {
     using simulator::PhonePress;
+    if (observer_ != nullptr) observer_->pressed(now(), message);
     switch (message.press) {
       case PhonePress::MyPose:
         ++result_.messages["my_pose"];
@@ -220,6 +227,16 @@ class Episode {
     result_.found_by = who;
   }
 
+  void tell_observer() {
+    std::vector<Pose2> others;
+    for (const auto& passer_by : passers_by_) others.push_back(passer_by.walker().map_from_person());
+    observer_->stood(now(), drive_.map_from_base(), walker_.map_from_person(), others, drive_.tally().collisions);
+    if (result_.found || now() >= believe_again_) {
+      observer_->believed(now(), world_.mission_);
+      believe_again_ = now() + kBeliefPeriod;
+    }
+  }
+
   static Bystander bystander(const simulator::Walker& walker) {
     const Pose2& pose = walker.map_from_person();
     return {walker.body(), walker.speed_mps() * Vector2d{std::cos(pose.heading), std::sin(pose.heading)}};
@@ -232,12 +249,17 @@ class Episode {
     result_.explored_robot = shares.by_agent[SearchMission::kRobot];
     result_.explored_human = shares.by_agent[SearchMission::kPerson];
     result_.robot = drive_.tally();
+    if (observer_ != nullptr) {
+      if (!result_.found) observer_->believed(now(), world_.mission_);
+      observer_->ended(now(), result_);
+    }
     if (result_.found) world_.mission_.found();
     world_.mission_.end_session();
   }
 
   EpisodeWorld& world_;
   const std::optional<PlanningTime>& time_;
+  EpisodeObserver* observer_;
   simulator::Scene scene_;
   Vector2d token_;
   Rng rng_;
@@ -257,6 +279,7 @@ class Episode {
   std::string told_plan_;
   PlanStanding told_standing_ = PlanStanding::None;
   Time tell_again_{};
+  Time believe_again_{};
   std::uint64_t sequence_number_ = 0;
   bool may_move_ = false;
   std::optional<simulator::PhonePlan> phone_plan_;
@@ -280,8 +303,8 @@ EpisodeWorld::EpisodeWorld(const simulator::Scenario& scenario, const OccupancyG
 
 std::optional<EpisodeResult> EpisodeWorld::play(std::string_view human, std::uint64_t seed,
                                                 const std::optional<PlanningTime>& planning_time,
-                                                const std::function<bool()>& stop) {
-  return Episode(*this, human, seed, planning_time).play(stop);
+                                                const std::function<bool()>& stop, EpisodeObserver* observer) {
+  return Episode(*this, human, seed, planning_time, observer).play(stop);
 }
 
 }  // namespace tandem::experiment

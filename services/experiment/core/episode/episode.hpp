@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,22 @@ struct PlanningTime {
   std::function<bool()> is_over;  ///< since then
 };
 
+/// Hears of an episode while it is played, to record it. Time goes on from one call to the next.
+class EpisodeObserver {
+ public:
+  virtual ~EpisodeObserver() = default;
+  virtual void began(Time now, const std::string& session, const Eigen::Vector2d& object_in_map) = 0;
+  virtual void pressed(Time now, const simulator::PhoneMessage& message) = 0;
+  /// A plan, or another standing of it.
+  virtual void planned(Time now, const MissionPlan& plan, PlanStanding standing) = 0;
+  /// Where everybody is; once a step.
+  virtual void stood(Time now, const Pose2& map_from_robot, const Pose2& map_from_person,
+                     std::span<const Pose2> map_from_passers_by, int collisions) = 0;
+  /// Once a second, and when the episode ends.
+  virtual void believed(Time now, const SearchMission& mission) = 0;
+  virtual void ended(Time now, const EpisodeResult& result) = 0;
+};
+
 /// A scenario with all that stays the same from episode to episode, prepared once. One per thread.
 class EpisodeWorld {
  public:
@@ -67,10 +84,11 @@ class EpisodeWorld {
   /// exact and messages take no time. Where the tokens lie, who walks about and how wheels slip follow from the seed.
   /// Each plan has as many rollouts as the planner's config says, or, with `planning_time`, what it leaves time for;
   /// simulated time stands still meanwhile. Without it equal seeds give equal results, whatever was played before.
-  /// None if `stop` asked to end before the end.
+  /// None if `stop` asked to end before the end. `observer` changes nothing.
   [[nodiscard]] std::optional<EpisodeResult> play(std::string_view human, std::uint64_t seed,
                                                   const std::optional<PlanningTime>& planning_time = {},
-                                                  const std::function<bool()>& stop = {});
+                                                  const std::function<bool()>& stop = {},
+                                                  EpisodeObserver* observer = nullptr);
 
  private:
   friend class Episode;

@@ -1,19 +1,15 @@
 #include "services/experiment/core/study/study_summary.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "services/common/random.hpp"
+#include "services/experiment/core/report/statistics.hpp"
 
 namespace tandem::experiment {
 namespace {
 
 constexpr int kResamples = 10'000;
 constexpr std::uint64_t kResamplingSeed = 1;
-
-double mean_of(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 }  // namespace
 
