@@ -18,6 +18,9 @@ StopSignal::StopSignal() {
   action.sa_handler = remember;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction hang_up {};
+  sigaction(SIGHUP, nullptr, &hang_up);
+  if (hang_up.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // ignored: under nohup
   std::signal(SIGPIPE, SIG_IGN);  // a closed socket is everyday life, reported by write()
 }
 

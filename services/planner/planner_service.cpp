@@ -134,7 +134,8 @@ void PlannerService::read_world() {
 void PlannerService::read_session(Time now) {
   for (const auto& session : session_.each()) {
     if (session.message.robot() != site_.robot) continue;
-    running_ = session.message.phase() == msg::SESSION_RUNNING;
+    // Whoever led it and is gone can no longer end it.
+    running_ = session.message.phase() == msg::SESSION_RUNNING && session.writer_alive;
     if (running_) {
       session_code_ = session.message.code();
       mission_.run_session(session_code_, now);

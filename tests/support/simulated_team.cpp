@@ -163,7 +163,7 @@ SimulatedTeam::Standstill SimulatedTeam::watch_wheels(Duration duration) {
   const Time began = robot_bus_->clock().now();
   Standstill standstill;
   std::ignore = bus::wait_until(*robot_bus_, duration, [&] {
-    episode_->step();
+    if (episode_) episode_->step();
     for (auto& truth : truth_->take()) {
       if (speed_of(truth.message) > kTurning_mps) standstill.after_s = to_seconds(truth.received - began);
       newest_truth_ = std::move(truth.message);
@@ -174,7 +174,8 @@ SimulatedTeam::Standstill SimulatedTeam::watch_wheels(Duration duration) {
 }
 
 std::string SimulatedTeam::last_words() const {
-  std::string text = unexpected_end_ + "phase: " + episode_->view().phase + " " + episode_->reason() + "\n";
+  std::string text = unexpected_end_;
+  if (episode_) text += "phase: " + episode_->view().phase + " " + episode_->reason() + "\n";
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder_.logs, ignored)) {
     text += entry.path().filename().string() + ": " + cli::last_line(entry.path()) + "\n";

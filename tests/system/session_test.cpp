@@ -9,6 +9,7 @@
 #include "services/common/file_io.hpp"
 #include "services/common/format.hpp"
 #include "tests/support/domain_lease.hpp"
+#include "tests/support/process.hpp"
 #include "tests/support/simulated_team.hpp"
 
 namespace tandem::test {
@@ -46,7 +47,7 @@ TeamOptions options_in(const DomainLease& domains, const std::string& scenario) 
   return options;
 }
 
-TEST(Session, StartLeadsASearchToTheFind) {
+TEST(LedSession, StartLeadsASearchToTheFind) {
   const DomainLease domains{3};
   auto options = options_in(domains, "quick");
   options.is_led = false;
@@ -76,7 +77,25 @@ TEST(Session, StartLeadsASearchToTheFind) {
   }
 }
 
-TEST(Session, EndEndsTheSearchThatAnotherLeads) {
+// A session that nobody leads any more would go on for ever.
+TEST(LedSession, TheRobotStopsWhenWhoeverLeadsDies) {
+  const DomainLease domains{3};
+  auto options = options_in(domains, "brl");
+  options.is_led = false;
+  SimulatedTeam team{options};
+  const Pose2& start = team.robot_start();
+  Process leader{{TANDEM_BINARY_DIR "/bin/tandem", "session", "start", "P09", "--headless", "--config",
+                  team.folder().laptop_config.string(), "--robot-pose", formatted("%g", start.x),
+                  formatted("%g", start.y), formatted("%g", start.heading)}};
+  ASSERT_TRUE(team.run_until(seconds{120}, [&] { return team.wheel_speed_mps().value_or(0.0) > 0.15; }))
+      << team.last_words();
+  leader.kill_at_once();
+  constexpr double kLease_s = 6.5;  // and what Fast DDS takes to see that it ran out
+  constexpr double kBraking_s = 1.5;
+  EXPECT_LE(team.watch_wheels(seconds{12}).after_s, kLease_s + kBraking_s) << team.last_words();
+}
+
+TEST(LedSession, EndEndsTheSearchThatAnotherLeads) {
   const DomainLease domains{3};
   SimulatedTeam team{options_in(domains, "brl")};
   ASSERT_TRUE(team.run_until(seconds{90}, [&] { return team.wheel_speed_mps().value_or(0.0) > 0.15; }))

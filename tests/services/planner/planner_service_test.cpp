@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "services/bus/events.hpp"
 #include "services/planner/edit_messages.hpp"
 #include "services/planner/planner_messages.hpp"
@@ -273,6 +275,21 @@ TEST_F(PlannerServiceTest, ThePersonIsToldOfAPlaceUntilTheyTakeNoticeOfIt) {
       gateway.applied(inform.id());
     }
   }
+}
+
+TEST_F(PlannerServiceTest, ASessionWhoseLeaderIsGoneIsOver) {
+  auto leader = std::make_unique<bus::Bus>(bus::host_domain(site, "leader"));
+  auto led =
+      std::make_unique<bus::Writer<msg::SessionState, msg::SessionStatePubSubType>>(leader->writer(topic::kSession));
+  msg::SessionState state;
+  state.robot(site.robot);
+  state.code("S02");
+  state.phase(msg::SESSION_RUNNING);
+  led->write(state);
+  ASSERT_TRUE(plan_is(msg::PLAN_ACCEPTED));
+  led.reset();
+  leader.reset();
+  EXPECT_TRUE(plan_is(msg::PLAN_SUPERSEDED));
 }
 
 TEST_F(PlannerServiceTest, ADetectionEndsThePlanning) {
