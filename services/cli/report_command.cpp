@@ -65,7 +65,15 @@ std::vector<experiment::EpisodeLog> read_all(const std::vector<fs::path>& record
       std::fprintf(stderr, "tandem: %s: damaged: %s\n", file.c_str(), damage.c_str());
     }
     if (some.empty()) std::fprintf(stderr, "tandem: %s: left out, no session ran in it\n", file.c_str());
-    std::ranges::move(some, std::back_inserter(episodes));
+    for (auto& episode : some) {
+      const auto same = std::ranges::find_if(
+          episodes, [&](const experiment::EpisodeLog& known) { return experiment::is_same_search(known, episode); });
+      if (same == episodes.end()) {
+        episodes.push_back(std::move(episode));
+      } else {
+        *same = experiment::merged(std::move(*same), std::move(episode));
+      }
+    }
   }
   return episodes;
 }
@@ -91,7 +99,7 @@ void run(const ReportCommandOptions& options) {
     throw WrongUse{std::string{"report: "} + error.what()};
   }
   const std::string title = !options.title.empty() ? options.title
-                            : episodes.size() == 1 ? "Search " + episodes.front().name
+                            : episodes.size() == 1 ? "Search " + episodes.front().code
                                                    : std::to_string(episodes.size()) + " searches";
   const auto json_of = [&](bool with_replay) {
     return experiment::report_json(episodes, report, {.title = title, .with_replay = with_replay});

@@ -195,6 +195,9 @@ class Gathering {
   void add_plan(const msg::TeamPlan& plan) {
     Session* session = running_at(plan.stamp_ns());
     if (session == nullptr || plan.robot() != session->state.robot()) return;
+    for (experiment::PlanAt& known : session->log.plans) {  // the bound is found after the plan is out
+      if (known.id == plan.id()) known.lower_bound_s = std::max(known.lower_bound_s, plan.lower_bound_s());
+    }
     const auto [told, is_new] = session->standings.try_emplace(plan.id(), plan.state());
     if (!is_new && told->second == plan.state()) return;  // told again, for those who did not hear it
     told->second = plan.state();
@@ -325,6 +328,8 @@ class Gathering {
     EpisodeLog& log = session.log;
     log.name = sessions_.size() == 1 ? name : name + " " + session.state.code();
     log.code = session.state.code();
+    log.started_ns = session.began_ns;
+    log.human_is_true = session.has_truth_of_person;
     log.robot = session.state.robot();
     log.agent = session.state.agent();
     log.fields["condition"] = session.state.condition();
@@ -341,14 +346,6 @@ class Gathering {
     std::ranges::stable_sort(log.human_poses, {}, &experiment::PoseAt::time_s);
     std::ranges::stable_sort(log.base, {}, &experiment::BaseAt::time_s);
     std::ranges::stable_sort(log.link, {}, &experiment::LinkAt::time_s);
-    if (!session.ended_ns) log.gaps.push_back("the recording ends before the session does");
-    if (log.beliefs.empty()) log.gaps.push_back("no belief: what was explored is not known");
-    if (log.robot_poses.empty()) log.gaps.push_back("no robot_pose: the robot's way is not known");
-    if (log.human_poses.empty())
-      log.gaps.push_back("neither teammates nor ground_truth: the person's way is not known");
-    if (!log.human_poses.empty() && !session.has_truth_of_person) log.gaps.push_back("the person's way is as tracked");
-    if (log.base.empty()) log.gaps.push_back("no base_status: stops are not known");
-    if (!log.map) log.gaps.push_back("no map");
   }
 
   std::vector<Session> sessions_;

@@ -92,6 +92,7 @@ struct PassersByAt {
 struct EpisodeLog {
   std::string name = {};  ///< of the recording, for people
   std::string code = {};  ///< of the session
+  std::int64_t started_ns = 0;
   std::string robot = {};
   std::string agent = {};                          ///< the person
   std::map<std::string, std::string> fields = {};  ///< condition, reminder, mode, and each answer of a form
@@ -106,14 +107,23 @@ struct EpisodeLog {
   std::vector<BeliefAt> beliefs = {};
   std::vector<PoseAt> robot_poses = {};  ///< as localized
   std::vector<PoseAt> human_poses = {};  ///< true where that is recorded, else as tracked
+  bool human_is_true = false;
   std::vector<PassersByAt> passers_by = {};
   std::vector<BaseAt> base = {};
   std::vector<LinkAt> link = {};
   std::vector<ReminderAt> reminders = {};
-  std::uint32_t collisions = 0;        ///< of the simulated robot
-  std::vector<std::string> gaps = {};  ///< what the recording lacks, in words
+  std::uint32_t collisions = 0;  ///< of the simulated robot
 
   [[nodiscard]] bool found() const { return outcome == "found"; }
 };
+
+/// Whether two recordings tell of one search: those of robot and laptop do.
+[[nodiscard]] bool is_same_search(const EpisodeLog& a, const EpisodeLog& b);
+
+/// One log of two recordings of one search: of each list the one that holds more.
+[[nodiscard]] EpisodeLog merged(EpisodeLog a, EpisodeLog b);
+
+/// What a log lacks, in words for people.
+[[nodiscard]] std::vector<std::string> gaps_of(const EpisodeLog& episode);
 
 }  // namespace tandem::experiment

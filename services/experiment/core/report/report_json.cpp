@@ -71,7 +71,7 @@ Json json_of(const EpisodeLog& episode, const EpisodeMetrics& metrics, double st
           {"explored", line},
           {"roles", roles},
           {"presses", presses},
-          {"gaps", episode.gaps}};
+          {"gaps", gaps_of(episode)}};
 }
 
 Json json_of(const GroupReport& group) {

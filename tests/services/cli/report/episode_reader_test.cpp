@@ -38,6 +38,7 @@ TEST_F(EpisodeReader, ReadsAScriptedSearch) {
   ASSERT_EQ(log.plans.size(), 5U) << "each standing once";
   EXPECT_EQ(log.plans[1].state, experiment::PlanAt::State::Accepted);
   EXPECT_EQ(log.plans[0].paths.size(), 2U);
+  EXPECT_DOUBLE_EQ(log.plans[0].lower_bound_s, 70.0);
   EXPECT_EQ(log.beliefs.size(), 13U);
   EXPECT_EQ(log.fields.at("ease"), "6");
   EXPECT_EQ(log.fields.at("reminder"), "toast");

@@ -53,6 +53,16 @@ TEST_F(ReportCommand, WritesThePageAndTheTables) {
   }
 }
 
+TEST_F(ReportCommand, WhatBothHostsRecordedCountsOnce) {
+  for (const char* name : {"laptop.mcap", "robot.mcap"}) {
+    recorder::write_recording(folder_ / name,
+                              [](mcap::Writer& writer) { test::write_scripted_search(writer, "P07", 1.7e9); });
+  }
+  const Outcome made = tandem("report " + folder_.path().string() + " --json");
+  ASSERT_EQ(made.code, 0) << made.output;
+  EXPECT_EQ(nlohmann::json::parse(made.output)["episodes"].size(), 1U);
+}
+
 TEST_F(ReportCommand, TakesAFolder) {
   (void)scripted("a.mcap");
   (void)scripted("b.mcap");

@@ -68,7 +68,6 @@ class Script {
     message.state(state);
     message.role(role);
     message.value(90.0);
-    message.lower_bound_s(70.0);
     for (const char* agent : {"robot1", "human1"}) {
       msg::PlannedPath path;
       path.agent(agent);
@@ -83,6 +82,7 @@ class Script {
     }
     for (int i = 0; i < kTellings; ++i) {  // told again each second while it holds
       message.stamp_ns(stamp(time_s + i));
+      message.lower_bound_s(i == 0 ? 0.0 : 70.0);  // it is found after the plan is out
       write(topic::kTeamPlan, "TeamPlan", time_s + i, message);
     }
   }

@@ -161,8 +161,9 @@ function episodesSection(report: Report): HTMLElement {
       percent(episode.values["explored"], 1), number(episode.values["my_pose_per_min"], 2), number(episode.values["plans"], 0), number(episode.values["stops"], 0)];
   });
   open(0);
-  return section("Episodes", report.replays === undefined ? "" : "Press a name to replay it.",
-    ...(rows.length > 1 ? [table(["episode", "outcome", "duration [s]", "explored", "My pose [1/min]", "plans", "stops"], rows, { "data-name": "episodes" })] : []),
+  const isOne = rows.length === 1;
+  return section(isOne ? "Replay" : "Episodes", report.replays === undefined ? "" : isOne ? "Play it, or drag through it." : "Press a name to replay it.",
+    ...(!isOne ? [table(["episode", "outcome", "duration [s]", "explored", "My pose [1/min]", "plans", "stops"], rows, { "data-name": "episodes" })] : []),
     place);
 }
 

@@ -142,14 +142,14 @@ class Stage {
     const plan = lastBy(this.replay.plans, t, (one) => one.t);
     if (plan === undefined || plan.state === "rejected" || plan.state === "superseded") return;
     for (const [agent, points] of Object.entries(this.paths.get(plan.id) ?? {})) {
-      context.strokeStyle = agent === this.replay.robot_name ? kRobotColour : kHumanColour;
-      context.lineWidth = 0.09;
       context.setLineDash(plan.state === "accepted" ? [] : [0.3, 0.2]);
-      context.globalAlpha = 0.85;
-      this.line(context, points);
+      for (const [width, colour] of [[0.24, "#fff"], [0.12, agent === this.replay.robot_name ? kRobotColour : kHumanColour]] as const) {
+        context.lineWidth = width;
+        context.strokeStyle = colour;
+        this.line(context, points);
+      }
     }
     context.setLineDash([]);
-    context.globalAlpha = 1;
   }
 
   private trail(context: CanvasRenderingContext2D, stands: Stand[], t: number, colour: string): void {
