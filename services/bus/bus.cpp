@@ -18,6 +18,7 @@
 #include <stdexcept>
 
 #include "services/bus/endpoints.hpp"
+#include "services/bus/guarded_transport.hpp"
 #include "services/bus/outside_settings.hpp"
 #include "services/bus/participant_qos.hpp"
 #include "services/bus/peer_watch.hpp"
@@ -72,6 +73,11 @@ class Bus::Participant {
     auto qos = participant_qos(options);
     if (has_outside_profile(*factory, options, qos)) {
       spdlog::warn("QoS from a Fast DDS profile: profile={} participant={}", kOutsideProfile, options.participant);
+    }
+    // Nobody but this host's own processes reaches a host domain.
+    if (options.kind == DomainOptions::Kind::Link) {
+      guard_transports(qos, options.security.has_value(),
+                       [this](const std::string& from, RtpsFault fault) { dropped(from, fault); });
     }
     participant_ = create(*factory, qos);
     if (participant_ != nullptr) {
@@ -128,6 +134,14 @@ class Bus::Participant {
     }
     qos.wire_protocol().participant_id = -1;  // all taken: those who name us find us by our own announcements
     return join();
+  }
+
+  /// The first is named as a wrong peer; of a flood the log says how it grows.
+  void dropped(const std::string& from, RtpsFault fault) {
+    const std::uint64_t count = watch_.dropped(from, fault);
+    std::uint64_t power = 10;
+    while (power < count) power *= 10;
+    if (count == power) spdlog::warn("datagrams dropped: from={} count={} fault={}", from, count, text_of(fault));
   }
 
   [[noreturn]] void refuse() const {

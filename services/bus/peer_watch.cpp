@@ -11,10 +11,11 @@ namespace {
 
 namespace rtps = eprosima::fastrtps::rtps;
 
-/// So long after its last malformed sample a writer is still named: longer than a look at a screen.
+/// So long after the last malformed sample or dropped datagram its sender is still named: longer than a look at a
+/// screen.
 constexpr Duration kNamedFor = std::chrono::seconds{10};
-/// Writers of malformed samples that are remembered; an attacker can make as many as it likes.
-constexpr std::size_t kMostWriters = 100;
+/// Senders that are remembered; an attacker can make as many as it likes.
+constexpr std::size_t kMostSenders = 100;
 
 template <class Data>
 Endpoint endpoint_of(const Data& data, Endpoint::Kind kind) {
@@ -47,7 +48,7 @@ void PeerWatch::own_gone(const EndpointId& id) {
 
 void PeerWatch::malformed(const std::string& topic, const WriterId& writer, std::string_view problem) {
   const std::lock_guard lock{mutex_};
-  if (malformed_.size() >= kMostWriters) malformed_.clear();
+  if (malformed_.size() >= kMostSenders) malformed_.clear();
   auto& entry = malformed_[{topic, writer}];
   entry.topic = topic;
   entry.writer = writer;
@@ -57,6 +58,15 @@ void PeerWatch::malformed(const std::string& topic, const WriterId& writer, std:
   entry.last = clock_.now();
 }
 
+std::uint64_t PeerWatch::dropped(const std::string& from, RtpsFault fault) {
+  const std::lock_guard lock{mutex_};
+  if (dropped_.size() >= kMostSenders) dropped_.clear();
+  auto& entry = dropped_[{from, fault}];
+  if (clock_.now() - entry.last > kNamedFor) entry.count = 0;
+  entry.last = clock_.now();
+  return ++entry.count;
+}
+
 std::vector<PeerFault> PeerWatch::faults(Concern concern) const {
   const std::lock_guard lock{mutex_};
   std::vector<PeerFault> faults;
@@ -64,6 +74,10 @@ std::vector<PeerFault> PeerWatch::faults(Concern concern) const {
     if (clock_.now() - entry.last > kNamedFor) continue;
     faults.push_back(
         {"X1", "malformed samples on " + entry.topic + " from " + entry.participant + " dropped: " + entry.problem});
+  }
+  for (const auto& [sender, entry] : dropped_) {
+    if (clock_.now() - entry.last > kNamedFor) continue;
+    faults.push_back({"X2", "datagrams from " + sender.first + " dropped: " + std::string{text_of(sender.second)}});
   }
   const auto& known = known_misfits(concern);
   faults.insert(faults.end(), known.begin(), known.end());

@@ -9,13 +9,15 @@
 #include <vector>
 
 #include "services/bus/core/endpoint_table.hpp"
+#include "services/bus/core/rtps_guard.hpp"
 #include "services/bus/handshake_watch.hpp"
 #include "services/bus/mailbox.hpp"
 #include "services/common/clock.hpp"
 
 namespace tandem::bus {
 
-/// Hears who comes and goes in a domain, and counts what came malformed: to name the peers that do wrong. Thread-safe.
+/// Hears who comes and goes in a domain, and counts what came malformed or was dropped: to name the peers that do
+/// wrong. Thread-safe.
 class PeerWatch final : public eprosima::fastdds::dds::DomainParticipantListener {
  public:
   /// `secured`: must peers prove who they are? `clock` must outlive it.
@@ -27,8 +29,10 @@ class PeerWatch final : public eprosima::fastdds::dds::DomainParticipantListener
   void own_gone(const EndpointId& id);
   /// A sample of `writer` was dropped because of `problem`.
   void malformed(const std::string& topic, const WriterId& writer, std::string_view problem);
+  /// A datagram that came `from` an address was dropped because of `fault`. How many were, of late.
+  std::uint64_t dropped(const std::string& from, RtpsFault fault);
 
-  /// X1 of late, and X3.
+  /// X1 and X2 of late, and X3.
   [[nodiscard]] std::vector<PeerFault> faults(Concern concern) const;
   [[nodiscard]] std::vector<Endpoint> endpoints() const;
   [[nodiscard]] std::vector<std::string> participants() const;
@@ -54,6 +58,11 @@ class PeerWatch final : public eprosima::fastdds::dds::DomainParticipantListener
   EndpointTable table_;
   mutable std::map<Concern, std::vector<PeerFault>> misfits_;
   std::map<std::pair<std::string, WriterId>, MalformedCount> malformed_;
+  struct Dropped {
+    std::uint64_t count = 0;
+    Time last{};
+  };
+  std::map<std::pair<std::string, RtpsFault>, Dropped> dropped_;  // by the address it came from
 };
 
 }  // namespace tandem::bus

@@ -28,29 +28,6 @@ sockaddr_in place(const std::string& address, int port) {
   return place;
 }
 
-void append(Bytes& to, std::initializer_list<std::uint8_t> bytes) {
-  to.insert(to.end(), bytes);
-}
-
-void append_length(Bytes& to, std::size_t length) {
-  append(to, {static_cast<std::uint8_t>(length & 0xff), static_cast<std::uint8_t>(length >> 8)});
-}
-
-/// An RTPS message with one DATA submessage of the writer `number` of `kind`, to any reader.
-Bytes message_of(const std::array<std::uint8_t, 12>& prefix, std::uint8_t number, std::uint8_t kind, std::uint8_t flags,
-                 std::uint8_t sequence_number, const Bytes& content) {
-  Bytes message{'R', 'T', 'P', 'S', 2, 3, 1, 15};
-  message.insert(message.end(), prefix.begin(), prefix.end());
-  append(message, {0x15, flags});
-  append_length(message, 20 + content.size());
-  append(message, {0, 0, 16, 0});         // no more flags; 16 bytes to the content
-  append(message, {0, 0, 0, 0});          // to all readers
-  append(message, {0, 0, number, kind});  // from this writer
-  append(message, {0, 0, 0, 0, sequence_number, 0, 0, 0});
-  message.insert(message.end(), content.begin(), content.end());
-  return message;
-}
-
 }  // namespace
 
 Forger::Forger(const LabHost& at, int domain) : domain_(domain) {
@@ -90,30 +67,33 @@ bool Forger::overhear(const std::string& address) {
   return false;
 }
 
-void Forger::forge(const std::string& address, const Bytes& payload) const {
-  constexpr std::uint8_t kLittleEndianWithData = 0x05;
-  send_as_each_writer(address, kLittleEndianWithData, 1, payload);
+void Forger::forge(const std::string& address, const Bytes& payload, std::int64_t number) const {
+  send_as_each_writer(address, [&](RtpsDatagram& datagram) { datagram.data(number, payload); });
 }
 
-void Forger::forge_end(const std::string& address, const std::array<std::uint8_t, 16>& key,
-                       std::uint8_t sequence_number) const {
-  constexpr std::uint8_t kLittleEndianWithParameters = 0x03;
+void Forger::forge_end(const std::string& address, const std::array<std::uint8_t, 16>& key, std::int64_t number) const {
+  constexpr std::uint8_t kParameters = 0x02;
   Bytes parameters{0x70, 0, 16, 0};  // key hash
   parameters.insert(parameters.end(), key.begin(), key.end());
-  append(parameters, {0x71, 0, 4, 0, 0, 0, 0, 3});  // status: disposed and unregistered
-  append(parameters, {1, 0, 0, 0});                 // the last
-  send_as_each_writer(address, kLittleEndianWithParameters, sequence_number, parameters);
+  const Bytes ended{0x71, 0, 4, 0, 0, 0, 0, 3,  // status: disposed and unregistered
+                    1,    0, 0, 0};             // the last
+  parameters.insert(parameters.end(), ended.begin(), ended.end());
+  send_as_each_writer(address, [&](RtpsDatagram& datagram) { datagram.data(number, parameters, kParameters); });
 }
 
-void Forger::send_as_each_writer(const std::string& address, std::uint8_t flags, std::uint8_t sequence_number,
-                                 const Bytes& content) const {
+void Forger::forge_gap(const std::string& address, std::int64_t first, std::int64_t last) const {
+  send_as_each_writer(address, [&](RtpsDatagram& datagram) { datagram.gap(first, last); });
+}
+
+void Forger::send_as_each_writer(const std::string& address, const std::function<void(RtpsDatagram&)>& say) const {
   for (int number = 1; number <= kMostWriters; ++number) {
     for (const std::uint8_t kind : {std::uint8_t{2}, std::uint8_t{3}}) {  // with and without key
-      const Bytes message =
-          message_of(prefix_, static_cast<std::uint8_t>(number), kind, flags, sequence_number, content);
+      RtpsDatagram datagram{prefix_};
+      say(datagram.between({0, 0, static_cast<std::uint8_t>(number), kind}, {}));
       for (int id = 0; id < kMostIds; ++id) {
         const sockaddr_in to = place(address, kFirstPort + kPortsOfADomain * domain_ + 11 + 2 * id);
-        sendto(socket_, message.data(), message.size(), 0, reinterpret_cast<const sockaddr*>(&to),  // NOLINT
+        sendto(socket_, datagram.bytes().data(), datagram.bytes().size(), 0,
+               reinterpret_cast<const sockaddr*>(&to),  // NOLINT
                sizeof to);
       }
     }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "tests/network/attacker.hpp"
+#include "tests/network/forger.hpp"
 #include "tests/network/two_hosts.hpp"
 
 namespace tandem::test {
@@ -60,6 +61,47 @@ TEST_F(HostileDatagrams, X2TruncatedHeadersAreHarmless) {
 TEST_F(HostileDatagrams, X2MutatedMessagesAreHarmless) {
   TANDEM_NEEDS_LABORATORY();
   expect_harmless(mutated);
+}
+
+/// Robot and laptop, and a third host that knows their relays' names and speaks for either to the other.
+class ForgedDatagrams : public ::testing::Test {
+ protected:
+  using Say = std::function<void(const Forger&, const std::string& to)>;
+
+  void expect_unharmed_by(const Say& say) {
+    TwoHosts hosts{{}, {}, {"intruder"}};
+    ASSERT_TRUE(poses_get_through(hosts, seconds{20}));
+    Forger forger{hosts.lab().host("intruder"), hosts.link_domain()};
+    const RelayHealth laptop_health{hosts.laptop()};
+    const std::string robot = hosts.lab().host("robot").address();
+    const std::string laptop = hosts.lab().host("laptop").address();
+    for (const auto& [from, to] : {std::pair{laptop, robot}, std::pair{robot, laptop}}) {
+      ASSERT_TRUE(forger.overhear(from));
+      say(forger, to);
+    }
+    EXPECT_TRUE(poses_get_through(hosts, seconds{10}));
+    EXPECT_TRUE(bus::wait_until(hosts.laptop().bus(), seconds{10}, [&] {
+      say(forger, laptop);
+      return laptop_health.names("X2: datagrams from " + hosts.lab().host("intruder").address() + " dropped: sequence");
+    }));
+    // A reader that Fast DDS holds locked would keep its participant from ending.
+    hosts.robot().restart_relay();
+    hosts.laptop().restart_relay();
+    EXPECT_TRUE(poses_get_through(hosts, seconds{20}));
+  }
+};
+
+TEST_F(ForgedDatagrams, X2AGapWithoutEndDoesNotStopTheLink) {
+  TANDEM_NEEDS_LABORATORY();
+  expect_unharmed_by([](const Forger& forger, const std::string& to) { forger.forge_gap(to, 1, 1LL << 40); });
+}
+
+TEST_F(ForgedDatagrams, X2ASampleFarAheadDoesNotHideThoseThatFollow) {
+  TANDEM_NEEDS_LABORATORY();
+  const auto payload = bus::encode<msg::RobotPosePubSubType>(msg::RobotPose{});
+  expect_unharmed_by([&](const Forger& forger, const std::string& to) {
+    for (const std::int64_t number : {100'000LL, 900'000'000LL, 1LL << 40}) forger.forge(to, payload, number);
+  });
 }
 
 TEST_F(HostileDatagrams, X4AHostsOwnDomainCannotBeReachedFromTheAir) {

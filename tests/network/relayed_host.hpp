@@ -48,4 +48,22 @@ class RelayedHost {
   std::unique_ptr<Process> relay_;
 };
 
+/// What the relay of a host says of itself.
+class RelayHealth {
+ public:
+  explicit RelayHealth(RelayedHost& host)
+      : name_(host.host().name()), reader_(host.bus().latest(topic::kServiceHealth)) {}
+  [[nodiscard]] std::string reason() const {
+    for (const auto& received : reader_.each()) {
+      if (received.message.host() == name_ && received.message.service() == "relay") return received.message.reason();
+    }
+    return "";
+  }
+  [[nodiscard]] bool names(const std::string& text) const { return reason().find(text) != std::string::npos; }
+
+ private:
+  std::string name_;
+  bus::Latest<msg::ServiceHealth, msg::ServiceHealthPubSubType> reader_;
+};
+
 }  // namespace tandem::test

@@ -30,6 +30,7 @@ class TwoHosts {
   [[nodiscard]] RelayedHost& robot() { return *robot_; }
   [[nodiscard]] RelayedHost& laptop() { return *laptop_; }
   [[nodiscard]] int host_domain() const { return domains_[0]; }
+  [[nodiscard]] int link_domain() const { return domains_[1]; }
 
  private:
   [[nodiscard]] static std::vector<std::string> with(const std::vector<std::string>& others) {
