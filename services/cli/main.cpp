@@ -17,6 +17,7 @@
 #include "services/cli/report_command.hpp"
 #include "services/cli/secure_command.hpp"
 #include "services/cli/session_command.hpp"
+#include "services/cli/status_command.hpp"
 #include "services/cli/stop_command.hpp"
 #include "services/cli/study_command.hpp"
 #include "services/cli/teleop_command.hpp"
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
 
   add_up_command(app);
+  add_status_command(app);
   add_stop_commands(app);
   add_record_command(app);
   add_replay_command(app);

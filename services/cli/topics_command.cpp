@@ -2,15 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <tuple>
 
 #include "idl/topics.hpp"
 #include "services/cli/command.hpp"
 #include "services/cli/host_bus.hpp"
-#include "services/cli/live_terminal.hpp"
+#include "services/cli/live_view.hpp"
 #include "services/cli/topics/topics_watch.hpp"
 
 namespace tandem::cli {
@@ -23,10 +21,6 @@ struct TopicsOptions {
   bool json = false;
   double seconds = 3.0;
 };
-
-constexpr Duration kDrawPeriod = std::chrono::milliseconds{500};  // on a terminal
-constexpr Duration kTellPeriod = std::chrono::seconds{2};         // elsewhere
-constexpr Duration kStep = std::chrono::milliseconds{50};
 
 const char* name_of(Delivery delivery) {
   switch (delivery) {
@@ -76,55 +70,19 @@ void print_contract(bool as_json) {
   if (as_json) std::puts(all.dump(2).c_str());
 }
 
-void print(const TopicsView& view, bool as_json) {
-  if (as_json) {
-    std::puts(json_of(view).c_str());
-  } else {
-    for (const auto& line : lines_of(view)) std::puts(printable(line).c_str());
-  }
-  std::fflush(stdout);
-}
-
-void draw_until_quit(TopicsWatch& watch, const std::function<bool()>& is_over) {
-  LiveTerminal terminal;
-  do {
-    watch.step();
-    std::vector<std::string> lines{"tandem topics: q ends it", ""};
-    for (const auto& line : lines_of(watch.view())) lines.push_back(printable(line));
-    terminal.draw(lines);
-    const auto keys = terminal.keys(kDrawPeriod);
-    if (!keys || keys->find_first_of("qQ") != std::string::npos) return;
-  } while (!is_over());
-}
-
-void tell_again_and_again(TopicsWatch& watch, bus::Bus& bus, bool as_json, const std::function<bool()>& is_over) {
-  for (Time next = bus.clock().now() + kTellPeriod; !is_over(); bus.wait(kStep)) {
-    watch.step();
-    if (bus.clock().now() < next) continue;
-    print(watch.view(), as_json);
-    if (!as_json) std::puts("");
-    next += kTellPeriod;
-  }
-}
-
 void run(const TopicsOptions& options, bool seconds_given) {
   if (options.contract) return print_contract(options.json);
-  std::ignore = stop_requested();  // from now on Ctrl-C ends it in order
-  const SiteConfig site = site_of(options.host);
-  bus::Bus bus{bus::host_domain(site, "topics")};
+  bus::Bus bus{bus::host_domain(site_of(options.host), "topics")};
   TopicsWatch watch{bus};
-  const Time began = bus.clock().now();
-  const bool endless = options.watch && !seconds_given;
-  const auto is_over = [&] {
-    return stop_requested() || (!endless && bus.clock().now() - began >= from_seconds(options.seconds));
-  };
-  if (options.watch && !options.json && LiveTerminal::is_there()) return draw_until_quit(watch, is_over);
-  if (options.watch) return tell_again_and_again(watch, bus, options.json, is_over);
-  while (!is_over()) {
-    bus.wait(kStep);
-    watch.step();
-  }
-  print(watch.view(), options.json);
+  show({.title = "tandem topics",
+        .step = [&] { watch.step(); },
+        .lines = [&] { return lines_of(watch.view()); },
+        .json = [&] { return json_of(watch.view()); }},
+       bus,
+       {.watch = options.watch,
+        .json = options.json,
+        .seconds = options.seconds,
+        .endless = options.watch && !seconds_given});
 }
 
 }  // namespace

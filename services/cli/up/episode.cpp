@@ -2,36 +2,10 @@
 
 #include <algorithm>
 
+#include "services/cli/team_words.hpp"
+
 namespace tandem::cli {
 namespace {
-
-const char* role_words(msg::CollaborationRole role) {
-  switch (role) {
-    case msg::ROLE_LEADER_FOLLOWER:
-      return "robot leads, person follows";
-    case msg::ROLE_PEER_PEER:
-      return "peers";
-    case msg::ROLE_MASTER_SLAVE:
-      return "person commands, robot obeys";
-    case msg::ROLE_LEADER_LEADER:
-      return "both lead";
-  }
-  return "";
-}
-
-const char* plan_words(msg::PlanState state) {
-  switch (state) {
-    case msg::PLAN_PROPOSED:
-      return "proposed";
-    case msg::PLAN_ACCEPTED:
-      return "accepted";
-    case msg::PLAN_REJECTED:
-      return "rejected";
-    case msg::PLAN_SUPERSEDED:
-      return "superseded";
-  }
-  return "";
-}
 
 /// Appends `point` if it is a step away from the last, and returns the length of that step [m].
 double extend(std::vector<Eigen::Vector2d>& track, const Eigen::Vector2d& point) {
@@ -248,8 +222,8 @@ void Episode::observe_places() {
 
 void Episode::observe_plan() {
   if (const auto plan = team_plan_.newest()) {
-    view_.role = role_words(plan->message.role());
-    view_.plan = plan_words(plan->message.state());
+    view_.role = words_of(plan->message.role());
+    view_.plan = words_of(plan->message.state());
     view_.robot_plan.clear();
     view_.human_plan.clear();
     for (const auto& path : plan->message.paths()) {
