@@ -72,9 +72,14 @@ class DdsWriter final : public RawWriter {
 
   bool dispose(const KeyHash& key) override {
     if (!keyed_) return false;
-    RawPayload raw = instance(key);
+    const auto say = [&] {
+      RawPayload raw = instance(key);
+      return writer_->dispose(&raw, to_handle(key)) == ReturnCode_t::RETCODE_OK;
+    };
+    // Fast DDS ends no instance that was withdrawn, unless it is written once more.
+    const bool is_said = say() || (renew(key) && say());
     last_.erase(key);
-    return writer_->dispose(&raw, to_handle(key)) == ReturnCode_t::RETCODE_OK;
+    return is_said;
   }
 
   bool withdraw(const KeyHash& key) override {

@@ -80,6 +80,18 @@ TEST_F(WriterLoss, AWriterCanWithdrawAnInstanceAndRenewIt) {
   EXPECT_TRUE(is_known(12.0, true));
 }
 
+TEST_F(WriterLoss, WhatWasWithdrawnCanBeEnded) {
+  Bus sender{options("sender")};
+  auto writer = sender.writer(topic::kBaseStatus);
+  writer.write(status(12.0));
+  ASSERT_TRUE(is_known(12.0, true));
+  const auto key = key_of<msg::BaseStatusPubSubType>(status(0.0));
+  EXPECT_TRUE(writer.raw().withdraw(key));
+  ASSERT_TRUE(is_known(12.0, false));
+  EXPECT_TRUE(writer.raw().dispose(key));
+  EXPECT_TRUE(wait_until(receiver_, seconds{10}, [&] { return !reader_.newest(); }));
+}
+
 TEST_F(WriterLoss, WhatWasNeverWrittenCannotBeRenewed) {
   Bus sender{options("sender")};
   auto writer = sender.writer(topic::kBaseStatus);
