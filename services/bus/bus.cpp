@@ -99,7 +99,7 @@ class Bus::Participant {
     const std::lock_guard lock{topics_mutex_};
     const std::string name{info.name};
     if (const auto known = topics_.find(name); known != topics_.end()) return known->second;
-    const dds::TypeSupport type{new RawType{info.make_type()}};
+    const dds::TypeSupport type{new RawType{info.make_type}};
     type.register_type(participant_);
     dds::Topic* created = participant_->create_topic(name, type.get_type_name(), dds::TOPIC_QOS_DEFAULT);
     if (created == nullptr) throw std::runtime_error("topic " + name + " cannot be created");

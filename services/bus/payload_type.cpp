@@ -40,10 +40,11 @@ std::string_view PayloadType::problem_of(std::span<const std::uint8_t> payload) 
 std::optional<KeyHash> PayloadType::key_of(std::span<const std::uint8_t> payload) const {
   KeyHash key{};
   eprosima::fastrtps::rtps::InstanceHandle_t handle;
+  const auto type = make_type_();  // see RawType::getKey
   const bool known = with_message(
-      *type_, payload, [&](void* message) { return !type_->m_isGetKeyDefined || type_->getKey(message, &handle); });
+      *type, payload, [&](void* message) { return !type->m_isGetKeyDefined || type->getKey(message, &handle); });
   if (!known) return std::nullopt;
-  for (std::size_t i = 0; type_->m_isGetKeyDefined && i < key.size(); ++i) key[i] = handle.value[i];
+  for (std::size_t i = 0; type->m_isGetKeyDefined && i < key.size(); ++i) key[i] = handle.value[i];
   return key;
 }
 

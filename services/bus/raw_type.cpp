@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cstring>
-#include <utility>
 
 namespace tandem::bus {
 
 using eprosima::fastrtps::rtps::InstanceHandle_t;
 using eprosima::fastrtps::rtps::SerializedPayload_t;
 
-RawType::RawType(std::unique_ptr<eprosima::fastdds::dds::TopicDataType> inner) : inner_(std::move(inner)) {
-  setName(inner_->getName());
+RawType::RawType(MakeInner make_inner) : make_inner_(make_inner) {
+  const auto inner = make_inner_();
+  setName(inner->getName());
   m_typeSize = 256;  // a first guess; the histories grow as payloads need
-  m_isGetKeyDefined = inner_->m_isGetKeyDefined;
+  m_isGetKeyDefined = inner->m_isGetKeyDefined;
   auto_fill_type_object(false);
   auto_fill_type_information(false);  // else Cyclone DDS refuses the endpoint
 }
@@ -55,9 +55,12 @@ bool RawType::getKey(void* data, InstanceHandle_t* handle, bool force_md5) {
   SerializedPayload_t payload{static_cast<std::uint32_t>(raw.bytes.size())};
   std::copy(raw.bytes.begin(), raw.bytes.end(), payload.data);
   payload.length = static_cast<std::uint32_t>(raw.bytes.size());
-  void* message = inner_->createData();
-  const bool known = inner_->deserialize(&payload, message) && inner_->getKey(message, handle, force_md5);
-  inner_->deleteData(message);
+  // A new one each time: generated code leaves the bytes between two keys as they were, from another message, and they
+  // count in the hash.
+  const auto inner = make_inner_();
+  void* message = inner->createData();
+  const bool known = inner->deserialize(&payload, message) && inner->getKey(message, handle, force_md5);
+  inner->deleteData(message);
   // Fast DDS 2.9.1 aborts the process when a reader cannot tell a sample's key: what is malformed shares one.
   for (std::size_t i = 0; !known && i < 16; ++i) handle->value[i] = 0xFF;
   return true;

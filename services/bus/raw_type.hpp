@@ -19,8 +19,11 @@ struct RawPayload {
 /// Carries the payload of any type unchanged; decoding happens in the service's thread, never in the reader's.
 class RawType final : public eprosima::fastdds::dds::TopicDataType {
  public:
-  /// `inner` gives name, keyedness and the key of a received sample (Fast DDS 2.9.1 takes it from the payload).
-  explicit RawType(std::unique_ptr<eprosima::fastdds::dds::TopicDataType> inner);
+  using MakeInner = std::unique_ptr<eprosima::fastdds::dds::TopicDataType> (*)();
+
+  /// What `make_inner` makes gives name, keyedness and the key of a received sample (Fast DDS 2.9.1 takes it from the
+  /// payload).
+  explicit RawType(MakeInner make_inner);
 
   bool serialize(void* data, eprosima::fastrtps::rtps::SerializedPayload_t* payload) override;
   bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t* payload, void* data) override;
@@ -32,7 +35,7 @@ class RawType final : public eprosima::fastdds::dds::TopicDataType {
   bool is_plain() const override { return false; }
 
  private:
-  std::unique_ptr<eprosima::fastdds::dds::TopicDataType> inner_;
+  MakeInner make_inner_;
 };
 
 }  // namespace tandem::bus

@@ -75,6 +75,33 @@ TEST(Bus, ALateJoinerGetsTheStateOfEveryInstance) {
   EXPECT_DOUBLE_EQ(sum, 5.0);  // the newest of person1, and person2
 }
 
+TEST(Bus, AnInstanceIsOneWhateverOthersAreCalled) {
+  const test::DomainLease domain{1};
+  Bus sender{options_in(domain[0], "sender")};
+  Bus receiver{options_in(domain[0], "receiver")};
+  auto writer = sender.writer(topic::kServiceHealth);
+  auto reader = receiver.latest(topic::kServiceHealth);
+  const auto tell = [&](const std::string& host, const std::string& service, std::int64_t stamp_ns) {
+    msg::ServiceHealth health;
+    health.host(host);
+    health.service(service);
+    health.stamp_ns(stamp_ns);
+    writer.write(health);
+  };
+  // Hosts and services of any length, so that what lies between them in a key differs.
+  const std::vector<std::pair<std::string, std::string>> all{
+      {"laptop-of-robot1", "gateway"}, {"robot1", "base"}, {"a-host-of-a-long-name-indeed", "localization"}};
+  constexpr std::int64_t kRounds = 4;
+  for (std::int64_t round = 1; round <= kRounds; ++round) {
+    for (const auto& [host, service] : all) tell(host, service, round);
+    ASSERT_TRUE(wait_until(receiver, seconds{10}, [&] {
+      const auto newest = reader.newest();
+      return newest && newest->message.host() == all.back().first && newest->message.stamp_ns() == round;
+    }));
+  }
+  EXPECT_EQ(reader.each().size(), all.size());
+}
+
 TEST(Bus, ADisposedInstanceIsForgotten) {
   const test::DomainLease domain{1};
   Bus sender{options_in(domain[0], "sender")};

@@ -25,6 +25,23 @@ TEST(PayloadType, FindsTheKeyThatTheTypedCodecFinds) {
             key_of<msg::OdometryPubSubType>(odometry));
 }
 
+msg::ServiceHealth health_of(const std::string& host, const std::string& service) {
+  msg::ServiceHealth health;
+  health.host(host);
+  health.service(service);
+  return health;
+}
+
+// Between two strings of a key lie up to three bytes that generated code does not write.
+TEST(PayloadType, AKeyDoesNotDependOnWhatWasAskedBefore) {
+  const PayloadType type{info_of(topic::kServiceHealth)};
+  const auto wanted = encode<msg::ServiceHealthPubSubType>(health_of("laptop-of-robot1", "gateway"));
+  const auto key = type.key_of(wanted);
+  EXPECT_EQ(key, key_of<msg::ServiceHealthPubSubType>(health_of("laptop-of-robot1", "gateway")));
+  (void)type.key_of(encode<msg::ServiceHealthPubSubType>(health_of("a-host-of-a-long-name-indeed", "localization")));
+  EXPECT_EQ(type.key_of(wanted), key);
+}
+
 TEST(PayloadType, ATopicWithoutKeyHasTheKeyOfZeros) {
   EXPECT_EQ(PayloadType{info_of(topic::kClock)}.key_of(encode<msg::ClockPubSubType>({})), KeyHash{});
 }
