@@ -94,7 +94,7 @@ class DefaultSide final : public Side {
   dds::Topic* topic(const TopicInfo& info) {
     auto& topic = topics_[std::string{info.name}];
     if (topic == nullptr) {
-      const dds::TypeSupport type{new bus::RawType{info.make_type()}};
+      const dds::TypeSupport type{new bus::RawType{info.make_type}};
       type.register_type(participant_);
       topic = participant_->create_topic(std::string{info.name}, type.get_type_name(), dds::TOPIC_QOS_DEFAULT);
     }
