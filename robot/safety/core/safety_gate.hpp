@@ -43,7 +43,7 @@ struct GateDecision {
   double resume_in_s = 0.0;
   bool battery_warning = false;
   bool battery_return = false;  ///< low enough to go home at once
-  Motion wanted;  ///< what was asked for
+  Motion wanted;                ///< what was asked for
 };
 
 /// The last thing before the wheels: whatever is asked, they are told no more than is safe by the robot's own scan.

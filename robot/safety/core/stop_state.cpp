@@ -36,11 +36,11 @@ std::string_view StopState::resume(double held_s, Time now) {
 }
 
 bool StopState::may_move(Time now) const {
-  return holding_.none() && latched_.none() && (!stopped_ || (free_at_ && now >= *free_at_));
+  return holding_.none() && latched_.none() && (!stopped_ || now >= free_at_.value_or(Time::max()));
 }
 
 double StopState::resume_in_s(Time now) const {
-  return free_at_ && latched_.none() ? std::max(0.0, to_seconds(*free_at_ - now)) : 0.0;
+  return free_at_ ? std::max(0.0, to_seconds(*free_at_ - now)) : 0.0;
 }
 
 }  // namespace tandem::safety

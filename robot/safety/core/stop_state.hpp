@@ -35,7 +35,7 @@ class StopState {
   Causes latched_;
   Causes excusable_;
   Causes excused_;
-  std::optional<Time> free_at_;  ///< when the pause after the last stop ends; none while a cause holds
+  std::optional<Time> free_at_;  ///< when the pause after the last stop ends; none while a cause holds or is latched
   bool stopped_ = false;
 };
 

@@ -38,7 +38,7 @@ double arc_time(const Hull& hull, const Motion& motion, const Eigen::Vector2d& p
   const double radius = std::hypot(point.x(), point.y() - centre_y);
   const double farthest = std::hypot(hull.half_length_m, std::abs(centre_y) + hull.half_width_m);
   const double nearest = std::max(0.0, std::abs(centre_y) - hull.half_width_m);
-  if (radius > farthest || radius < nearest || radius == 0.0) return kNever;
+  if (radius > farthest || radius < nearest) return kNever;
 
   const double start = std::atan2(point.y() - centre_y, point.x());
   double smallest_turn = kNever;

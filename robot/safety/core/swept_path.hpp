@@ -20,7 +20,9 @@ struct Motion {
   double forward_mps = 0.0;
   double turn_rate_radps = 0.0;
 
-  friend bool operator==(const Motion&, const Motion&) = default;
+  friend bool operator==(const Motion& a, const Motion& b) {
+    return a.forward_mps == b.forward_mps && a.turn_rate_radps == b.turn_rate_radps;
+  }
 };
 
 /// The distance from the hull to `point_in_base`; 0 inside [m].

@@ -132,25 +132,5 @@ TEST(CameraCalibration, SaysWhatIsMissing) {
   EXPECT_NE(missing_views(views, nullptr)[0].find("near and far"), std::string::npos);
 }
 
-TEST(CornerResidual, SeesWhatTheCameraModelSees) {
-  Rng rng{9};
-  const CameraModel camera = chance_camera(rng);
-  const std::array<double, 4> lens{camera.focal_px, camera.principal_offset_px.x(), camera.principal_offset_px.y(),
-                                   camera.radial};
-  const std::array<double, 6> mount{camera.position_in_base.x(),
-                                    camera.position_in_base.y(),
-                                    camera.position_in_base.z(),
-                                    camera.pitch_rad,
-                                    camera.yaw_rad,
-                                    camera.roll_rad};
-  const std::array<double, 3> board{1.0, 0.2, 0.0};
-  const auto pixel = pixel_of(camera, {1.1, 0.25, 0.0});
-  ASSERT_TRUE(pixel);
-  Eigen::Vector2d residual;
-  CornerResidual{{{0.1, 0.05}, *pixel}, {{319.5, 239.5}, 1.0}}(lens.data(), mount.data(), board.data(),
-                                                               residual.data());
-  EXPECT_LT(residual.norm(), 1e-9);
-}
-
 }  // namespace
 }  // namespace tandem

@@ -102,5 +102,27 @@ TEST(HardZones, NeedAPoseOnTheirMapEvenWhereNoneIsRequired) {
   }
 }
 
+TEST(HardZones, OneWithoutCornersIsNowhere) {
+  EXPECT_FALSE(overlaps(Hull{0.3, 0.2}, {}, HardZone{}));
+}
+
+TEST(HardZones, LetAMotionBeThatIsAsSlowAsTheEndOfAnApproach) {
+  const Motion barely{0.005, 0.0};
+  const std::vector<HardZone> zones{beyond_five()};
+  EXPECT_EQ(limited_by_zones({}, Hull{0.3, 0.2}, 0.6, barely, zones, {2.0, 0.0, 0.0}, false).motion, barely);
+  EXPECT_EQ(limited_by_zones({}, Hull{0.3, 0.2}, 0.6, {}, zones, {2.0, 0.0, 0.0}, false).motion, Motion{});
+}
+
+TEST(HardZones, AreUnknownToAnOperatorWithALostPoseOrOnAnotherMap) {
+  for (const bool lost : {true, false}) {
+    GateWorld world{{}, {beyond_five()}};
+    world.kind = CommanderKind::Operator;
+    world.reach_cruise();
+    world.input.pose = {.age_s = 0.0, .lost = lost, .map_from_base = {6.0, 0.0, 0.0}, .stamp = world.now};
+    world.input.other_map = !lost;
+    EXPECT_GT(world.cycle().motion.forward_mps, 0.1);
+  }
+}
+
 }  // namespace
 }  // namespace tandem::safety

@@ -65,5 +65,20 @@ TEST(LinkMonitor, KnowsNoLastLegBeforeThereWasALink) {
   EXPECT_TRUE(world.last.causes.test(index_of(Cause::LinkLost)));
 }
 
+TEST(LinkMonitor, MindsNoLinkWhereNoneIsRequired) {
+  GateWorld world{{.require_link = false}};
+  world.input.link.silent_s.reset();
+  world.reach_cruise();
+  EXPECT_DOUBLE_EQ(world.last.motion.forward_mps, 0.5);
+}
+
+TEST(LinkMonitor, ALinkOfWhichNothingIsKnownAnyMoreIsGoneForLong) {
+  GateWorld world;
+  world.reach_cruise();
+  world.input.link.silent_s.reset();
+  world.cycle();
+  EXPECT_TRUE(world.last.causes.test(index_of(Cause::LinkLongLost)));
+}
+
 }  // namespace
 }  // namespace tandem::safety

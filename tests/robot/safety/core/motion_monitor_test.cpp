@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace tandem::safety {
 namespace {
 
@@ -109,6 +111,48 @@ TEST_F(MotionMonitorTest, OneLowReadingIsNotAnEmptyBattery) {
   EXPECT_FALSE(holds(low, Cause::LowBattery));
   for (int i = 0; i < 200; ++i) step(low);  // 10 s
   EXPECT_TRUE(holds(low, Cause::LowBattery));
+}
+
+TEST_F(MotionMonitorTest, EitherWheelThatIsBlockedIsAStallAndEitherBumperAContact) {
+  BaseInput base = healthy();
+  base.right_stalled = true;
+  base.front_bumpers = 1;
+  const Causes causes = step(base);
+  EXPECT_TRUE(causes.test(index_of(Cause::Stall)));
+  EXPECT_TRUE(causes.test(index_of(Cause::Bumper)));
+}
+
+TEST_F(MotionMonitorTest, AStepThatTheDriverRejectedOrThatIsNoPlaceIsAJump) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  BaseInput rejected = healthy();
+  rejected.odometry_jumped = true;
+  EXPECT_TRUE(holds(rejected, Cause::OdometryJump));
+  for (const Pose2& nowhere : {Pose2{nan, 0.0, 0.0}, Pose2{0.0, nan, 0.0}, Pose2{0.0, 0.0, nan}}) {
+    BaseInput base = healthy();
+    base.odom_from_base = nowhere;
+    EXPECT_TRUE(holds(base, Cause::OdometryJump));
+  }
+}
+
+TEST_F(MotionMonitorTest, WheelsThatTurnTheRobotInPlaceAreAlive) {
+  const Motion turn{0.0, 0.5};
+  BaseInput base = healthy();
+  bool dead = false;
+  for (int i = 0; i <= 40; ++i) {
+    base.odom_from_base.heading = 0.025 * i;
+    dead = dead || holds(base, Cause::EncoderDead, turn);
+  }
+  EXPECT_FALSE(dead);
+  base.motors_enabled = false;
+  for (int i = 0; i <= 40; ++i) dead = dead || holds(base, Cause::EncoderDead, turn);
+  EXPECT_FALSE(dead) << "without motors nothing is told";
+}
+
+TEST_F(MotionMonitorTest, AVoltageThatIsNotKnownIsNoEmptyBattery) {
+  BaseInput base = healthy();
+  base.battery_v = 0.0;
+  for (int i = 0; i < 200; ++i) EXPECT_FALSE(holds(base, Cause::LowBattery));
+  EXPECT_FALSE(monitor_.battery_v());
 }
 
 }  // namespace

@@ -189,5 +189,78 @@ TEST(SafetyGate, ACycleAllocatesNothingWhateverHappens) {
   EXPECT_EQ(allocations, before);
 }
 
+TEST(SafetyGate, StartsFromStandingAfterTheMotorsWereOffOrTimeWentBack) {
+  GateWorld off;
+  off.reach_cruise();
+  off.input.base.motors_enabled = false;
+  EXPECT_LE(off.cycle().motion.forward_mps, 0.3 * 0.05 + 1e-9);
+
+  GateWorld back;
+  back.reach_cruise();
+  back.now -= std::chrono::milliseconds{250};
+  EXPECT_LE(back.cycle().motion.forward_mps, 1e-9);
+}
+
+TEST(SafetyGate, CountsOnHalfTheBrakesWhereTheBaseSaysNothingOfThem) {
+  const auto speed_before_a_wall = [](double deceleration_mps2) {
+    GateWorld world;
+    world.input.base.deceleration_mps2 = deceleration_mps2;
+    world.put_wall_ahead(0.3);
+    return world.run(10.0).motion.forward_mps;
+  };
+  EXPECT_GT(speed_before_a_wall(0.6), speed_before_a_wall(0.0));
+  EXPECT_DOUBLE_EQ(speed_before_a_wall(0.0), speed_before_a_wall(0.3));
+}
+
+TEST(SafetyGate, LetsAnOperatorOutOfAContactAwayFromItAlone) {
+  for (const bool rear : {false, true}) {
+    GateWorld world;
+    world.kind = CommanderKind::Operator;
+    world.command = {};
+    world.reach_cruise();
+    (rear ? world.input.base.rear_bumpers : world.input.base.front_bumpers) = 1;
+    world.run(1.0);
+    ASSERT_EQ(world.last.motion, Motion{});
+    ASSERT_EQ(world.gate().take_resume(1.0, world.now), "");
+    world.command = {rear ? 0.3 : -0.3, 0.4};
+    world.run(2.2);
+    EXPECT_GT((rear ? 1.0 : -1.0) * world.last.motion.forward_mps, 0.0);
+    EXPECT_LE(std::abs(world.last.motion.forward_mps), 0.1);
+    EXPECT_EQ(world.last.motion.turn_rate_radps, 0.0);
+    world.command.forward_mps = -world.command.forward_mps;
+    world.run(1.0);
+    EXPECT_EQ(world.last.motion, Motion{}) << "never further into it";
+  }
+}
+
+TEST(SafetyGate, WarnsOfABatteryThatRunsLowBeforeItStops) {
+  GateWorld world;
+  EXPECT_FALSE(world.cycle().battery_warning);
+  world.input.base.battery_v = 11.6;
+  EXPECT_TRUE(world.run(60.0).battery_warning);
+  EXPECT_FALSE(world.last.battery_return);
+  world.input.base.battery_v = 11.4;
+  EXPECT_TRUE(world.run(60.0).battery_return);
+  EXPECT_TRUE(world.last.causes.none());
+
+  GateWorld unknown;
+  unknown.input.base.battery_v = 0.0;
+  EXPECT_FALSE(unknown.cycle().battery_warning);
+}
+
+TEST(SafetyGate, IsSlowWhereNobodyEverSaidWherePeopleAre) {
+  GateWorld world;
+  world.input.people.age_s.reset();
+  world.reach_cruise();
+  EXPECT_DOUBLE_EQ(world.last.motion.forward_mps, 0.3);
+}
+
+TEST(SafetyGate, NeedsNoPoseWhereNoneIsRequiredAndThereAreNoZones) {
+  GateWorld world{{.require_pose = false}};
+  world.input.pose = {};
+  world.reach_cruise();
+  EXPECT_DOUBLE_EQ(world.last.motion.forward_mps, 0.5);
+}
+
 }  // namespace
 }  // namespace tandem::safety

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <vector>
@@ -113,6 +114,59 @@ TEST(ScanMonitor, CountsTheSameScanOnce) {
   monitor.take(scan, {}, kStart);
   monitor.take(scan, {}, kStart + std::chrono::milliseconds{301});
   EXPECT_TRUE(has(monitor.causes(kStart + std::chrono::milliseconds{301}), Cause::StaleScan));
+}
+
+TEST(ScanMonitor, TakesAScanOfAnImpossibleGeometryForNoScan) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<float> too_many(ScanMonitor::kMostBeams + 1, 4.0F);
+  const std::vector<std::function<void(ScanView&)>> wrongs{
+      [&](ScanView& scan) { scan.ranges_m = too_many; },
+      [](ScanView& scan) { scan.angle_increment_rad = 0.0; },
+      [](ScanView& scan) { scan.angle_increment_rad = 0.001; },  // a view of ten degrees
+      [=](ScanView& scan) { scan.angle_min_rad = nan; },
+      [=](ScanView& scan) { scan.base_from_laser.x = nan; },
+      [=](ScanView& scan) { scan.base_from_laser.y = nan; },
+      [=](ScanView& scan) { scan.base_from_laser.heading = nan; },
+      [](ScanView& scan) { scan.range_max_m = scan.range_min_m; },
+      [](ScanView& scan) { scan.range_min_m = -0.1; }};
+  const auto ranges = room();
+  for (std::size_t i = 0; i < wrongs.size(); ++i) {
+    Laser laser;
+    ScanMonitor monitor{kConfig};
+    ScanView scan = laser.scan(ranges);
+    wrongs[i](scan);
+    monitor.take(scan, {}, kStart);
+    EXPECT_TRUE(has(monitor.causes(kStart), Cause::StaleScan)) << i;
+  }
+}
+
+TEST(ScanMonitor, IsAsOldAsItsStampWhereThatCanBeTrue) {
+  using std::chrono::milliseconds;
+  ScanMonitor monitor{kConfig};
+  EXPECT_EQ(monitor.age_s(kStart), std::numeric_limits<double>::infinity());
+  Laser laser;
+  const auto ranges = room();
+  ScanView scan = laser.scan(ranges);
+  const auto age_of_stamp = [&](Duration before_arrival) {
+    ++scan.sequence_number;
+    scan.stamp = kStart - before_arrival;
+    monitor.take(scan, {}, kStart);
+    return monitor.age_s(kStart + milliseconds{50});
+  };
+  EXPECT_DOUBLE_EQ(age_of_stamp(milliseconds{100}), 0.15);
+  EXPECT_DOUBLE_EQ(age_of_stamp(milliseconds{-100}), 0.05) << "from the future";
+  EXPECT_DOUBLE_EQ(age_of_stamp(std::chrono::hours{1}), 0.05) << "of a clock that was set before a step";
+}
+
+TEST(ScanMonitor, CountsRepetitionsAnewAfterAPictureOfNothing) {
+  ScanMonitor monitor{kConfig};
+  Laser laser;
+  const auto ranges = room();
+  const std::vector<float> nothing(181, 0.0F);
+  for (int i = 0; i < 9; ++i) monitor.take(laser.scan(ranges), {0.01 * i, 0.0, 0.0}, kStart);
+  monitor.take(laser.scan(nothing), {}, kStart);
+  monitor.take(laser.scan(ranges), {0.2, 0.0, 0.0}, kStart);
+  EXPECT_FALSE(monitor.causes(kStart).any());
 }
 
 }  // namespace

@@ -68,5 +68,17 @@ TEST_F(StopStateTest, WhatStopsAtOnceOnlyIsNotRemembered) {
   EXPECT_TRUE(state_.open_causes().none());
 }
 
+TEST_F(StopStateTest, AResumeWhileCommandsHaveCeasedWaitsForThem) {
+  state_.step(only(Cause::Bumper), at(0));
+  state_.step(only(Cause::StaleCommand), at(1));
+  EXPECT_EQ(state_.resume(1.0, at(2)), "");
+  EXPECT_EQ(state_.resume_in_s(at(2)), 0.0);
+  state_.step(only(Cause::StaleCommand), at(9));
+  EXPECT_FALSE(state_.may_move(at(100)));
+  state_.step({}, at(100));
+  EXPECT_FALSE(state_.may_move(at(104.9)));
+  EXPECT_TRUE(state_.may_move(at(105)));
+}
+
 }  // namespace
 }  // namespace tandem::safety

@@ -88,5 +88,13 @@ TEST(SpeedThatStopsWithin, IsTheInverseOfTheStoppingDistance) {
   EXPECT_DOUBLE_EQ(speed_that_stops_within(-1.0, 0.5, 0.6, 0.15), 0.0);
 }
 
+TEST(SweptPath, WhoStandsTouchesNothing) {
+  EXPECT_TRUE(std::isinf(time_to_contact(kHull, 0.0, {0.0, 0.0}, Eigen::Vector2d{2.5, 0.0})));
+}
+
+TEST(SweptPath, TheCentreOfTheTurnIsNeverReached) {
+  EXPECT_TRUE(std::isinf(time_to_contact(kHull, 0.0, {0.5, 0.5}, Eigen::Vector2d{0.0, 1.0})));
+}
+
 }  // namespace
 }  // namespace tandem::safety

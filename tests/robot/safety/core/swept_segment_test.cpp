@@ -74,5 +74,17 @@ TEST(SweptSegment, AgreesWithDrivingTheArcInSmallSteps) {
   EXPECT_GT(contacts, 500);
 }
 
+TEST(SweptSegment, WhoStandsReachesNoEdge) {
+  EXPECT_EQ(time_to_contact(kHull, 0.0, {0.0, 0.0}, Segment{{1.3, -5.0}, {1.3, 5.0}}), kNever);
+}
+
+TEST(SweptSegment, AnEdgeOfNoLengthIsAPoint) {
+  const Segment point{{1.3, 0.1}, {1.3, 0.1}};
+  EXPECT_DOUBLE_EQ(distance_to_hull(kHull, point), 1.0);
+  EXPECT_DOUBLE_EQ(time_to_contact(kHull, 0.0, {0.5, 0.0}, point), 2.0);
+  EXPECT_NEAR(time_to_contact(kHull, 0.0, {0.5, 0.01}, point),
+              time_to_contact(kHull, 0.0, {0.5, 0.01}, Eigen::Vector2d{1.3, 0.1}), 1e-9);
+}
+
 }  // namespace
 }  // namespace tandem::safety
