@@ -187,6 +187,12 @@ bool RelayService::is_of_our_peer(const bus::Received<msg::LinkHeartbeat>& heart
                         "host " + message.host() + " on the link is a " + site_.role + " of " + site_.robot +
                             " too: give each robot its own name, and one laptop, in site.toml"});
   }
+  if (const auto rival = seat_.rival_of(message.host(), heartbeat.received)) {
+    const auto& [first, second] = std::minmax(message.host(), *rival);
+    return is_stranger({message.role() == "robot" ? "X6" : "X5", "hosts " + first + " and " + second +
+                                                                     " on the link are both a " + message.role() +
+                                                                     " of " + site_.robot + ": end one"});
+  }
   const bool our_contract = message.contract_hash() == contract_hash();
   link_->understand(our_contract);
   if (our_contract) return true;
