@@ -220,11 +220,12 @@ void RelayService::tell_host(const LinkState& state, Time now) {
 
   if (!trouble_.empty()) {
     health_.step(msg::HEALTH_DEGRADED, trouble_);
-  } else {
-    const std::string silence = state.up ? "" : "no heartbeat from the other host";
-    health_.step(state.up ? msg::HEALTH_OK : msg::HEALTH_DEGRADED,
-                 silence + (silence.empty() || refused_.empty() ? "" : "; ") + refused_, link_faults(now));
+    return;
   }
+  std::string reason = state.up ? "" : "no heartbeat from the other host";
+  for (const std::string& more : {refused_, maps_.trouble()})
+    reason += (reason.empty() || more.empty() ? "" : "; ") + more;
+  health_.step(state.up && maps_.trouble().empty() ? msg::HEALTH_OK : msg::HEALTH_DEGRADED, reason, link_faults(now));
 }
 
 }  // namespace tandem
