@@ -2,8 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include <vector>
-
+#include "services/common/format.hpp"
 #include "services/relay/relay_messages.hpp"
 
 namespace tandem {
@@ -37,13 +36,16 @@ void MapRelay::join(bus::Bus& link) {
 
 void MapRelay::leave() {
   link_.reset();
+  trouble_.clear();
 }
 
 void MapRelay::step() {
   read_host();
   if (!link_) return;
   say_what_is_here();
-  send_where_missing();
+  const auto others = maps_of_others();
+  send_where_missing(others);
+  compare(others);
   publish_what_came();
 }
 
@@ -76,11 +78,29 @@ void MapRelay::say_what_is_here() {
   link_->said = holding;
 }
 
-void MapRelay::send_where_missing() {
-  std::vector<std::string> others;
+std::vector<HeldMap> MapRelay::maps_of_others() const {
+  std::vector<HeldMap> others;
   for (const auto& received : link_->holdings_in.each()) {
-    if (received.writer_alive && received.message.host() != host_name_) others.push_back(received.message.sha256());
+    const auto& held = received.message;
+    if (received.writer_alive && held.host() != host_name_) others.push_back({held.host(), held.sha256()});
   }
+  return others;
+}
+
+void MapRelay::compare(const std::vector<HeldMap>& others) {
+  const Time now = host_.clock().now();
+  const auto other = exchange_.other_map(others, now);
+  if (!other) {
+    trouble_.clear();
+    return;
+  }
+  constexpr std::size_t kEnough = 8;  // digits of a hash, to tell two maps apart
+  trouble_ = formatted("the map of this host (sha256 %s) is not that of %s (%s): give both the same map file",
+                       exchange_.holding(now)->substr(0, kEnough).c_str(), other->host.c_str(),
+                       other->sha256.substr(0, kEnough).c_str());
+}
+
+void MapRelay::send_where_missing(const std::vector<HeldMap>& others) {
   const bool asked_for = exchange_.is_asked_for(others);
   if (asked_for && !link_->sent) {
     link_->maps_out.write(*packed_own_);

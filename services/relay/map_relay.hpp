@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "services/bus/bus.hpp"
 #include "services/relay/core/map_exchange.hpp"
@@ -23,13 +24,17 @@ class MapRelay {
   void leave();
   /// To be called some times a second.
   void step();
+  /// That another host's map is not this host's, and what to do; empty while they agree.
+  [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
  private:
   struct Link;
   void read_host();
   void give_way_to(const msg::OccupancyGrid& own);  ///< this host's own map server has the say
   void say_what_is_here();
-  void send_where_missing();
+  [[nodiscard]] std::vector<HeldMap> maps_of_others() const;
+  void send_where_missing(const std::vector<HeldMap>& others);
+  void compare(const std::vector<HeldMap>& others);
   void publish_what_came();
 
   std::string host_name_;
@@ -41,6 +46,7 @@ class MapRelay {
   MapExchange exchange_;
   std::optional<msg::CompressedMap> packed_own_;
   std::unique_ptr<Link> link_;
+  std::string trouble_;
 };
 
 }  // namespace tandem

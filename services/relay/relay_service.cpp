@@ -187,6 +187,12 @@ bool RelayService::is_of_our_peer(const bus::Received<msg::LinkHeartbeat>& heart
                         "host " + message.host() + " on the link is a " + site_.role + " of " + site_.robot +
                             " too: give each robot its own name, and one laptop, in site.toml"});
   }
+  if (const auto rival = seat_.rival_of(message.host(), heartbeat.received)) {
+    const auto& [first, second] = std::minmax(message.host(), *rival);
+    return is_stranger({message.role() == "robot" ? "X6" : "X5", "hosts " + first + " and " + second +
+                                                                     " on the link are both a " + message.role() +
+                                                                     " of " + site_.robot + ": end one"});
+  }
   const bool our_contract = message.contract_hash() == contract_hash();
   link_->understand(our_contract);
   if (our_contract) return true;
@@ -214,11 +220,12 @@ void RelayService::tell_host(const LinkState& state, Time now) {
 
   if (!trouble_.empty()) {
     health_.step(msg::HEALTH_DEGRADED, trouble_);
-  } else {
-    const std::string silence = state.up ? "" : "no heartbeat from the other host";
-    health_.step(state.up ? msg::HEALTH_OK : msg::HEALTH_DEGRADED,
-                 silence + (silence.empty() || refused_.empty() ? "" : "; ") + refused_, link_faults(now));
+    return;
   }
+  std::string reason = state.up ? "" : "no heartbeat from the other host";
+  for (const std::string& more : {refused_, maps_.trouble()})
+    reason += (reason.empty() || more.empty() ? "" : "; ") + more;
+  health_.step(state.up && maps_.trouble().empty() ? msg::HEALTH_OK : msg::HEALTH_DEGRADED, reason, link_faults(now));
 }
 
 }  // namespace tandem

@@ -11,6 +11,7 @@
 #include "services/bus/health.hpp"
 #include "services/relay/address_watcher.hpp"
 #include "services/relay/core/link_monitor.hpp"
+#include "services/relay/core/peer_seat.hpp"
 #include "services/relay/core/relay_config.hpp"
 #include "services/relay/core/torn_link.hpp"
 #include "services/relay/link_side.hpp"
@@ -57,6 +58,7 @@ class RelayService {
     Time heard{};
   };
   std::map<std::string, Stranger> strangers_;  // by host: relays that are not of our kind, or of our name
+  PeerSeat seat_;
   bool was_up_ = false;
   Time next_status_{};
   AddressWatcher watcher_;

@@ -147,8 +147,16 @@ class Examination {
   }
 
   void examine_governance(const std::string& document, const std::string& authority_pem) {
-    if (const auto xml = signed_text(files_.governance, document, authority_pem)) {
-      examine_domain(files_.governance, *xml);
+    const auto xml = signed_text(files_.governance, document, authority_pem);
+    if (!xml) return;
+    examine_domain(files_.governance, *xml);
+    // The relay drops whatever comes in the clear (services/bus/core/rtps_guard.hpp).
+    for (const char* kind : {"discovery_protection_kind", "liveliness_protection_kind", "metadata_protection_kind"}) {
+      if (const auto value = element_of(*xml, kind); value != "ENCRYPT") {
+        add(files_.governance, formatted("%s is \"%s\", and hosts take only what is encrypted; make a new authority: "
+                                         "tandem secure init",
+                                         kind, value.c_str()));
+      }
     }
   }
 

@@ -45,6 +45,9 @@ std::string Navigator::reason_to_stand(const Situation& situation) const {
       return "the plan is of another session";
     case Standing::NoPath:
       return "the plan has no path for this robot";
+    case Standing::TwoPlanners:
+      return "X5: two planners plan for this robot: " + plans_.planner() + " and " + plans_.rival(situation.now) +
+             "; end one";
     case Standing::Executable:
       break;
   }

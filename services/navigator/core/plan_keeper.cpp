@@ -11,7 +11,10 @@ bool PlanKeeper::is_alive(Time now) const {
 void PlanKeeper::receive(PlanNews news, Time received) {
   const bool planner_is_gone = received - planner_heard_ > timeout_;
   if (news.planner != planner_) {
-    if (!planner_.empty() && !planner_is_gone) return;  // one planner at a time: the first holds until it is gone
+    if (!planner_.empty() && !planner_is_gone) {  // one planner at a time: the first holds until it is gone
+      note_rival(news, received);
+      return;
+    }
     planner_ = news.planner;
     planner_alive_ = false;
     last_sequence_number_ = 0;
@@ -43,6 +46,23 @@ void PlanKeeper::receive(PlanNews news, Time received) {
   }
 }
 
+void PlanKeeper::note_rival(const PlanNews& news, Time received) {
+  if (news.planner != rival_.planner || received - rival_.last > timeout_) {
+    rival_ = {news.planner, news.sequence_number, received, received, false};
+    return;
+  }
+  rival_.repeats = rival_.repeats || news.sequence_number != rival_.sequence_number;
+  rival_.last = received;
+}
+
+const std::string& PlanKeeper::rival(Time now) const {
+  static const std::string kNobody;
+  // Of one that was started again the first process is not heard after the second.
+  const bool both_live = now - planner_heard_ <= timeout_ && now - rival_.last <= timeout_ && rival_.repeats &&
+                         planner_heard_ > rival_.first;
+  return both_live && rival_.planner != planner_ ? rival_.planner : kNobody;
+}
+
 PlanKeeper::Standing PlanKeeper::standing(Time now, const std::string& session) const {
   if (!plan_) return Standing::None;
   if (!is_alive(now)) return Standing::Dead;
@@ -50,6 +70,7 @@ PlanKeeper::Standing PlanKeeper::standing(Time now, const std::string& session) 
   if (now > plan_->valid_until) return Standing::Expired;
   if (plan_->state != PlanState::Accepted) return Standing::Proposed;
   if (!planner_alive_) return Standing::Unconfirmed;
+  if (!rival(now).empty()) return Standing::TwoPlanners;
   if (plan_->points_in_map.empty()) return Standing::NoPath;
   return Standing::Executable;
 }

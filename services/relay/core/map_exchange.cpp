@@ -11,9 +11,22 @@ std::optional<std::string> MapExchange::holding(Time now) const {
   return "";
 }
 
-bool MapExchange::is_asked_for(const std::vector<std::string>& holdings_of_others) const {
-  return !own_.empty() && std::any_of(holdings_of_others.begin(), holdings_of_others.end(),
-                                      [](const std::string& sha256) { return sha256.empty(); });
+bool MapExchange::is_asked_for(const std::vector<HeldMap>& others) const {
+  return !own_.empty() &&
+         std::any_of(others.begin(), others.end(), [](const HeldMap& other) { return other.sha256.empty(); });
+}
+
+std::optional<HeldMap> MapExchange::other_map(const std::vector<HeldMap>& others, Time now) {
+  const std::string here = holding(now).value_or("");
+  const auto other = std::find_if(others.begin(), others.end(), [&](const HeldMap& held) {
+    return !here.empty() && !held.sha256.empty() && held.sha256 != here;
+  });
+  if (other == others.end()) {
+    differs_since_.reset();
+    return std::nullopt;
+  }
+  if (!differs_since_) differs_since_ = now;
+  return now - *differs_since_ > kMostDifference ? std::optional{*other} : std::nullopt;
 }
 
 }  // namespace tandem

@@ -77,6 +77,32 @@ TEST(MapRelay, SendsNothingToAHostThatHasOne) {
   EXPECT_TRUE(sent.take().empty());
 }
 
+TEST(MapRelay, HostsWithDifferentMapsAreNamedOnBoth) {
+  const test::DomainLease domains{3};
+  Host laptop{"laptop1", domains[0], domains[2]};
+  Host robot{"robot1", domains[1], domains[2]};
+  const auto map_of_laptop = to_message(test::ascii_map({"###", "#.#", "###"}), "room");
+  const auto map_of_robot = to_message(test::ascii_map({"###", "...", "###"}), "room");
+  auto laptop_server = laptop.services.writer(topic::kMap);
+  auto robot_server = robot.services.writer(topic::kMap);
+  laptop_server.write(map_of_laptop);
+  robot_server.write(map_of_robot);
+  const auto steps_until = [&](const auto& condition) {
+    return bus::wait_until(robot.services, seconds{20}, [&] {
+      laptop.relay.step();
+      robot.relay.step();
+      return condition();
+    });
+  };
+  EXPECT_TRUE(steps_until([&] { return !laptop.relay.trouble().empty() && !robot.relay.trouble().empty(); }));
+  EXPECT_EQ(robot.relay.trouble(), "the map of this host (sha256 " + map_of_robot.sha256().substr(0, 8) +
+                                       ") is not that of laptop1 (" + map_of_laptop.sha256().substr(0, 8) +
+                                       "): give both the same map file");
+
+  robot_server.write(map_of_laptop);
+  EXPECT_TRUE(steps_until([&] { return laptop.relay.trouble().empty() && robot.relay.trouble().empty(); }));
+}
+
 TEST(MapRelay, AMapServerThatComesLateHasTheSay) {
   const test::DomainLease domains{3};
   Host laptop{"laptop1", domains[0], domains[2]};

@@ -93,6 +93,29 @@ TEST_F(WrongPeersOnTheLink, X5ASecondLaptopIsNamedAndNoPeer) {
   EXPECT_FALSE(link_.newest()->message.up());
 }
 
+TEST_F(WrongPeersOnTheLink, X6TwoRobotsOfOneTeamAreNamedAndNeitherIsThePeer) {
+  beat("robot1", "robot", contract_hash());
+  ASSERT_TRUE(bus::wait_until(services_, seconds{10}, [&] {
+    step();
+    return link_.newest() && link_.newest()->message.up();
+  }));
+  const auto both_beat = [&] {
+    beat(heartbeat_.host() == "robot1" ? "robot2" : "robot1", "robot", contract_hash());
+    step();
+  };
+  EXPECT_TRUE(bus::wait_until(services_, seconds{10}, [&] {
+    both_beat();
+    return relay_says("X6: hosts robot1 and robot2 on the link are both a robot of robot1: end one") &&
+           !link_.newest()->message.up();
+  })) << said_.reason();
+
+  beat("robot2", "robot", contract_hash());
+  EXPECT_TRUE(bus::wait_until(services_, seconds{10}, [&] {
+    step();
+    return link_.newest()->message.up() && link_.newest()->message.peer() == "robot2";
+  }));
+}
+
 TEST_F(WrongPeersOnTheLink, X7NothingComesInFromAHostOfAnotherVersionAndTheLinkIsDown) {
   auto status = other_.writer(topic::kBaseStatus);
   auto here = services_.in_order(topic::kBaseStatus);

@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "services/common/file_io.hpp"
+#include "services/security/certificates.hpp"
+#include "services/security/documents.hpp"
 #include "services/security/host_files.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -131,6 +133,18 @@ TEST_F(Check, DocumentsOfAnotherAuthorityAreNamed) {
             "host's files again: tandem secure add robot1");
   replace(files_.governance, foreign.governance);
   EXPECT_EQ(problems().size(), 2U);
+}
+
+TEST_F(Check, AGovernanceThatLeavesSomethingInTheClearIsNamed) {
+  std::string xml = governance_xml();
+  const std::string encrypted = "<metadata_protection_kind>ENCRYPT";
+  xml.replace(xml.find(encrypted), encrypted.size(), "<metadata_protection_kind>NONE");
+  const Identity authority{read_file(lab_.path() / "authority.crt"), read_file(lab_.path() / "authority.key")};
+  write_file_atomically(files_.governance, signed_document(authority, xml));
+
+  EXPECT_EQ(problem(),
+            "governance.p7s: metadata_protection_kind is \"NONE\", and hosts take only what is encrypted; make a new "
+            "authority: tandem secure init");
 }
 
 TEST_F(Check, PermissionsOfAnotherSubjectAreNamed) {

@@ -42,6 +42,11 @@ class Drive {
   Decision step() {
     if (refreshing && now_ >= next_refresh_) {
       navigator_.receive_plan(numbered(), now_);
+      if (second_planner) {
+        PlanNews other = plan_;
+        other.planner = "planner@elsewhere";
+        navigator_.receive_plan(std::move(other), now_);
+      }
       next_refresh_ = now_ + from_seconds(1.0);
     }
     seen_ = hits();
@@ -80,6 +85,7 @@ class Drive {
   std::vector<Wall>& walls() { return walls_; }
 
   bool refreshing = true;
+  bool second_planner = false;  ///< publishes a plan as well, and as often
   bool link_lost = false;
   bool localized = true;
   bool scanning = true;

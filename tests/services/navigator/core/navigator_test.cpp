@@ -60,6 +60,22 @@ TEST(Navigator, GoesAroundASmallObstacleOnItsPath) {
   EXPECT_GT(drive.least_clearance_m(), 0.04);
 }
 
+TEST(Navigator, X5StandsWhileTwoPlannersPlanForIt) {
+  Drive drive{kConfig, kHall, {0.0, 0.0, 0.0}};
+  drive.accept({{0.0, 0.0}, {6.0, 0.0}});
+  EXPECT_TRUE(drive.drive_until(5.0, [&](const Decision& decision) { return decision.execution.moving; }));
+  drive.second_planner = true;
+  EXPECT_TRUE(drive.drive_until(3.0, [&](const Decision& decision) {
+    return decision.execution.reason ==
+           "X5: two planners plan for this robot: planner@laptop and planner@elsewhere; end one";
+  }));
+  EXPECT_TRUE(drive.drive_until(3.0, [&](const Decision&) { return drive.velocity() == Twist2{}; }));
+  EXPECT_FALSE(drive.drive_until(10.0, [&](const Decision& decision) { return decision.velocity != Twist2{}; }));
+
+  drive.second_planner = false;
+  EXPECT_TRUE(drive.drive_to_goal(60.0));
+}
+
 TEST(Navigator, ReportsWhereItIsBlockedAndGoesOnWhenTheWayIsFree) {
   std::vector<Wall> walls = {{{3.0, -8.0}, {3.0, 8.0}}};  // too wide to get around
   Drive drive{kConfig, walls, {0.0, 0.0, 0.0}};

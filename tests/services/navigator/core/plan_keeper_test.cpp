@@ -86,5 +86,49 @@ TEST(PlanKeeper, ASecondPlannerIsNotListenedToWhileTheFirstIsAlive) {
   EXPECT_EQ(keeper.plan()->id, "q1");
 }
 
+/// Hears the first planner at whole seconds, and another half a second later each time, while they last.
+void hear_both(PlanKeeper& keeper, int first_s, int last_s, int other_until_s) {
+  for (int second = first_s; second <= last_s; ++second) {
+    const auto number = static_cast<std::uint64_t>(second) + 1;
+    keeper.receive(news("p1", PlanState::Accepted, number), at(second));
+    if (second > other_until_s) continue;
+    PlanNews other = news("q1", PlanState::Accepted, number);
+    other.planner = "planner@elsewhere";
+    keeper.receive(other, at(second + 0.5));
+  }
+}
+
+TEST(PlanKeeper, X5OfTwoPlannersThatGoOnNeitherIsExecuted) {
+  PlanKeeper keeper{from_seconds(2.0)};
+  hear_both(keeper, 0, 2, 2);
+  EXPECT_EQ(keeper.standing(at(2.6), "S1"), Standing::TwoPlanners);
+  EXPECT_EQ(keeper.planner(), "planner@laptop");
+  EXPECT_EQ(keeper.rival(at(2.6)), "planner@elsewhere");
+
+  hear_both(keeper, 3, 6, 2);  // the second ends: 2 s later the first alone is there
+  EXPECT_EQ(keeper.standing(at(4.4), "S1"), Standing::TwoPlanners);
+  EXPECT_EQ(keeper.standing(at(4.6), "S1"), Standing::Executable);
+  EXPECT_EQ(keeper.rival(at(4.6)), "");
+}
+
+TEST(PlanKeeper, TheLastWordOfAnotherPlannerStopsNothing) {
+  PlanKeeper keeper{from_seconds(2.0)};
+  hear_both(keeper, 0, 3, 0);  // the other is heard once, as a late joiner hears one that is dead
+  for (const double time_s : {0.6, 1.1, 2.1}) EXPECT_NE(keeper.standing(at(time_s), "S1"), Standing::TwoPlanners);
+}
+
+TEST(PlanKeeper, APlannerThatWasStartedAgainIsNoSecondOne) {
+  PlanKeeper keeper{from_seconds(2.0)};
+  hear_both(keeper, 0, 2, -1);  // the last of the first life comes at 2
+  PlanNews again = news("q1", PlanState::Accepted, 1);
+  again.planner = "planner@laptop/2";
+  for (const double time_s : {2.5, 3.5, 4.5, 5.5}) {
+    ++again.sequence_number;
+    keeper.receive(again, at(time_s));
+    EXPECT_NE(keeper.standing(at(time_s), "S1"), Standing::TwoPlanners) << time_s;
+  }
+  EXPECT_EQ(keeper.standing(at(5.6), "S1"), Standing::Executable);
+}
+
 }  // namespace
 }  // namespace tandem::navigator
