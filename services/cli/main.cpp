@@ -13,6 +13,7 @@
 #include "services/cli/map_command.hpp"
 #include "services/cli/plan_command.hpp"
 #include "services/cli/record_command.hpp"
+#include "services/cli/recover_command.hpp"
 #include "services/cli/replay_command.hpp"
 #include "services/cli/secure_command.hpp"
 #include "services/cli/stop_command.hpp"
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
   add_record_command(app);
   add_replay_command(app);
   add_info_command(app);
+  add_recover_command(app);
   add_import_command(app);
   add_localize_command(app);
   add_map_command(app);
