@@ -11,6 +11,7 @@
 #include "services/cli/info_command.hpp"
 #include "services/cli/localize_command.hpp"
 #include "services/cli/map_command.hpp"
+#include "services/cli/merge_command.hpp"
 #include "services/cli/plan_command.hpp"
 #include "services/cli/record_command.hpp"
 #include "services/cli/recover_command.hpp"
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
   add_replay_command(app);
   add_info_command(app);
   add_recover_command(app);
+  add_merge_command(app);
   add_import_command(app);
   add_localize_command(app);
   add_map_command(app);
