@@ -7,6 +7,7 @@
 #include "services/cli/command.hpp"
 #include "services/cli/config_command.hpp"
 #include "services/cli/doctor_command.hpp"
+#include "services/cli/export_command.hpp"
 #include "services/cli/import_command.hpp"
 #include "services/cli/info_command.hpp"
 #include "services/cli/localize_command.hpp"
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
   add_recover_command(app);
   add_merge_command(app);
   add_import_command(app);
+  add_export_command(app);
   add_localize_command(app);
   add_map_command(app);
   add_track_command(app);
