@@ -90,7 +90,7 @@ void Reader::forget_all() {
 
 bool Reader::read_summary(ByteView summary) {
   bool good = true;
-  std::uint64_t promised = 0;
+  std::optional<std::uint64_t> promised;  // without statistics nobody says whether the index is all
   std::vector<ChunkIndex> chunks;
   good = for_each_record(summary, [&](Opcode opcode, std::size_t, ByteView content) {
     if (opcode == Opcode::Schema) {
@@ -110,7 +110,7 @@ bool Reader::read_summary(ByteView summary) {
   for (const ChunkIndex& chunk : chunks) good = good && read_message_indexes(chunk);
   const bool all_named = std::all_of(entries_.begin(), entries_.end(),
                                      [this](const Entry& entry) { return channels_.contains(entry.channel_id); });
-  return good && all_named && entries_.size() == promised;
+  return good && all_named && promised == entries_.size();
 }
 
 bool Reader::read_message_indexes(const ChunkIndex& chunk) {
