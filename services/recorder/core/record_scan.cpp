@@ -20,6 +20,10 @@ bool is_of_the_specification(Opcode opcode) {
   return opcode >= Opcode::Header && opcode <= Opcode::DataEnd;
 }
 
+bool is_kept_in_chunks(Opcode opcode) {
+  return opcode == Opcode::Schema || opcode == Opcode::Channel || opcode == Opcode::Message;
+}
+
 bool is_known(Opcode opcode) {
   return is_of_the_specification(opcode) || static_cast<std::uint8_t>(opcode) >= kFirstPrivateOpcode;
 }
@@ -100,6 +104,10 @@ bool RecordScan::opcode_is_known_at(std::uint64_t offset) {
   return is_known(static_cast<Opcode>(bytes_at(peeked_, offset, 1, kPeekAhead)[0]));
 }
 
+bool RecordScan::is_opcode_at(std::uint64_t offset, Opcode opcode) {
+  return offset < source_.size() && static_cast<Opcode>(bytes_at(peeked_, offset, 1, kPeekAhead)[0]) == opcode;
+}
+
 bool RecordScan::a_record_follows(std::uint64_t offset) {
   if (offset == source_.size()) return true;
   if (source_.size() - offset < kRecordHead) return opcode_is_known_at(offset);  // cut off, or the closing magic
@@ -124,7 +132,7 @@ bool RecordScan::is_like_those_before(std::uint64_t offset, const RecordHead& he
 std::optional<std::uint64_t> RecordScan::next_place_after(std::uint64_t offset) {
   for (std::uint64_t place = offset + 1; place + kRecordHead <= source_.size(); ++place) {
     const auto opcode = static_cast<Opcode>(bytes_at(peeked_, place, kRecordHead, kPeekAhead)[0]);
-    if (!is_of_the_specification(opcode)) continue;
+    if (!is_of_the_specification(opcode) || (is_chunked_ && is_kept_in_chunks(opcode))) continue;
     const auto head = record_at(place);
     if (!head) continue;
     if (a_record_follows(place + kRecordHead + head->length) || proves_itself(place, *head) ||
@@ -155,7 +163,9 @@ bool RecordScan::is_one_damaged_record(std::uint64_t from, std::uint64_t to) {
 
 FoundRecord RecordScan::take(const RecordHead& head) {
   const FoundRecord found{head.opcode, offset_, content_at(offset_, head)};
-  if (head.opcode == Opcode::Channel) {
+  if (head.opcode == Opcode::Chunk) {
+    is_chunked_ = true;
+  } else if (head.opcode == Opcode::Channel) {
     if (const auto channel = parse<Channel>(found.content)) channels_.insert(channel->id);
   } else if (head.opcode == Opcode::Message) {
     if (const auto message = parse<Message>(found.content)) last_log_time_ = message->log_time;
@@ -170,6 +180,7 @@ std::optional<FoundRecord> RecordScan::next() {
     const std::uint64_t end = head ? offset_ + kRecordHead + head->length : offset_;
     if (head && (a_record_follows(end) || proves_itself(offset_, *head))) return take(*head);
 
+    is_chunked_ = is_chunked_ || is_opcode_at(offset_, Opcode::Chunk) || is_opcode_at(end, Opcode::Chunk);
     const auto resume = next_place_after(offset_);
     if (!resume) {
       if (head) return take(*head);  // the last; behind it the writer was killed

@@ -56,6 +56,7 @@ class RecordScan {
   /// The head at `offset`, if its content can be that of such a record.
   [[nodiscard]] std::optional<RecordHead> record_at(std::uint64_t offset);
   [[nodiscard]] bool opcode_is_known_at(std::uint64_t offset);
+  [[nodiscard]] bool is_opcode_at(std::uint64_t offset, Opcode opcode);
   /// Whether at `offset` there is a record, or the end.
   [[nodiscard]] bool a_record_follows(std::uint64_t offset);
   [[nodiscard]] bool proves_itself(std::uint64_t offset, const RecordHead& head);
@@ -74,6 +75,7 @@ class RecordScan {
   Window content_;
   Window follower_;
   std::set<std::uint16_t> channels_;  ///< of the records taken
+  bool is_chunked_ = false;           ///< then what looks like a message lies inside a chunk that is damaged
   std::uint64_t last_log_time_ = 0;   ///< of the messages taken [ns]
 };
 
