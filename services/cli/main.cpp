@@ -7,12 +7,15 @@
 #include "services/cli/command.hpp"
 #include "services/cli/config_command.hpp"
 #include "services/cli/doctor_command.hpp"
+#include "services/cli/export_command.hpp"
 #include "services/cli/import_command.hpp"
 #include "services/cli/info_command.hpp"
 #include "services/cli/localize_command.hpp"
 #include "services/cli/map_command.hpp"
+#include "services/cli/merge_command.hpp"
 #include "services/cli/plan_command.hpp"
 #include "services/cli/record_command.hpp"
+#include "services/cli/recover_command.hpp"
 #include "services/cli/replay_command.hpp"
 #include "services/cli/report_command.hpp"
 #include "services/cli/secure_command.hpp"
@@ -41,7 +44,10 @@ int main(int argc, char** argv) {
   add_replay_command(app);
   add_report_command(app);
   add_info_command(app);
+  add_recover_command(app);
+  add_merge_command(app);
   add_import_command(app);
+  add_export_command(app);
   add_localize_command(app);
   add_map_command(app);
   add_track_command(app);

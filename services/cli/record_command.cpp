@@ -13,6 +13,7 @@ namespace {
 
 struct RecordOptions {
   std::filesystem::path output;
+  recorder::RecorderConfig recorder;
   HostOptions host;
   double seconds = 0.0;
 };
@@ -20,7 +21,7 @@ struct RecordOptions {
 void run(const RecordOptions& options) {
   const SiteConfig site = site_of(options.host);
   bus::Bus bus{bus::host_domain(site, "record")};
-  recorder::RecorderConfig config;
+  recorder::RecorderConfig config = options.recorder;
   config.folder = ".";
   const Time start = bus.clock().now();
   const std::filesystem::path file = options.output.empty() ? recorder::recording_path(config, start) : options.output;
@@ -44,6 +45,20 @@ void add_record_command(CLI::App& tandem) {
                                   "tandem record -o episode.mcap --seconds 60");
   command->add_option("-o,--output", options->output, "Recording to write; default: date and time, here");
   command->add_option("--seconds", options->seconds, "End by itself after so long")->check(CLI::NonNegativeNumber);
+  recorder::RecorderConfig& recorder = options->recorder;
+  command->add_option("--topics", recorder.topics, "Only these, as patterns (*, ?) separated by commas")
+      ->delimiter(',');
+  command->add_option("--without", recorder.without_topics, "Not these, as patterns")->delimiter(',');
+  command->add_option("--rotate-mb", recorder.rotate_mb, "Go on in a new file after so much; 0: never")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--rotate-s", recorder.rotate_s, "Go on in a new file after so long; 0: never")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--pre-roll", recorder.pre_roll_s,
+                   "Wait for an event (STOP, find, message, pose hint) and record this many seconds before it, too")
+      ->check(CLI::NonNegativeNumber);
   command->add_option("--config", options->host.config_folder, "Folder with site.toml")->capture_default_str();
   command->add_option("--domain", options->host.domain, "DDS domain, instead of the site's");
   command->callback([options] { run(*options); });

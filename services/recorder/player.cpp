@@ -1,6 +1,7 @@
 #include "services/recorder/player.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "services/recorder/core/disposed_record.hpp"
@@ -28,7 +29,7 @@ Player::Player(mcap::Reader& reader, bus::Bus& bus, ReplayOptions options)
   make_outputs();
   refuse_beside_a_base();
   for (auto& [topic, output] : outputs_) {
-    if (!output.writer) output.writer = bus_.raw_writer(*output.info);
+    if (!output.writer) output.writer = writer_of(output);
   }
   // A replay at free rate starts a time of its own, whatever was replayed before; lockstep feeds fresh services.
   if (!options_.lockstep) epoch_ = static_cast<std::uint32_t>(to_stamp_ns(bus_.clock().now()) / 1'000'000'000);
@@ -54,11 +55,19 @@ void Player::make_outputs() {
     channel_topics_[id] = topic;
     if (disposed) disposed_channels_.insert(id);
     if (outputs_.contains(topic)) continue;
+    const auto renamed = options_.rename.find(topic);
+    const std::string name = renamed == options_.rename.end() ? topic : renamed->second;
+    Output& output = outputs_.emplace(topic, Output{name, &*info, bus::PayloadType{*info}, nullptr}).first->second;
     // While we look for a base, the others' readers find our writers; only that of base_status must wait.
-    const bool waits = topic == topic::kBaseStatus.name;
-    outputs_.emplace(topic, Output{&*info, bus::PayloadType{*info}, waits ? nullptr : bus_.raw_writer(*info)});
+    if (name != topic::kBaseStatus.name) output.writer = writer_of(output);
   }
   if (outputs_.empty()) throw std::runtime_error("the recording holds none of the topics to replay");
+}
+
+std::unique_ptr<bus::RawWriter> Player::writer_of(const Output& output) {
+  TopicInfo info = *output.info;
+  info.name = output.name;
+  return bus_.raw_writer(info);
 }
 
 Player::Output* Player::output_of(std::uint16_t channel_id) {
@@ -76,16 +85,20 @@ void Player::send(const mcap::Message& message, Output& output) {
 }
 
 void Player::send_latched_before(std::size_t first) {
-  std::map<std::pair<std::uint16_t, bus::KeyHash>, std::size_t> newest;
+  std::map<std::pair<Output*, bus::KeyHash>, std::size_t> newest;
   for (std::size_t i = 0; i < first; ++i) {
     Output* output = output_of(reader_.channel_at(i));
     if (output == nullptr || output->info->delivery != Delivery::State) continue;
     const auto message = reader_.message_at(i);
-    if (!message || disposed_channels_.contains(message->channel_id)) continue;
-    if (const auto key = output->type.key_of(message->data)) newest[{message->channel_id, *key}] = i;
+    if (!message) continue;
+    if (disposed_channels_.contains(message->channel_id)) {
+      if (const auto key = disposed_key(message->data)) newest.erase({output, *key});
+    } else if (const auto key = output->type.key_of(message->data)) {
+      newest[{output, *key}] = i;
+    }
   }
   for (const auto& [instance, index] : newest) {
-    if (const auto message = reader_.message_at(index)) send(*message, *output_of(instance.first));
+    if (const auto message = reader_.message_at(index)) send(*message, *instance.first);
   }
 }
 
@@ -97,11 +110,24 @@ void Player::send_clock(Time time, double rate) {
   clock_.write(clock);
 }
 
-bool Player::wait_until(Time due, const ReplayPace& pace, const std::function<bool()>& keep_going) {
-  for (Time now = bus_.clock().now(); now < due; now = bus_.clock().now()) {
-    send_clock(pace.mission_time(now), options_.rate);
-    if (!keep_going()) return false;
-    const Time slice_end = std::min(due, now + kClockPeriod);
+bool Player::wait_until_due(Time logged, ReplayPace& pace, const Pass& pass) {
+  for (Time now = bus_.clock().now(); pace.is_stopped() || now < pace.due(logged); now = bus_.clock().now()) {
+    switch (pass.steer(pass.share)) {
+      case ReplayWish::End:
+        return false;
+      case ReplayWish::Step:
+        pace.step_to(logged);
+        send_clock(logged, 0.0);
+        return true;
+      case ReplayWish::Pause:
+        pace.stop(now);
+        break;
+      case ReplayWish::Play:
+        pace.go_on(now);
+        break;
+    }
+    send_clock(pace.mission_time(now), pace.is_stopped() ? 0.0 : options_.rate);
+    const Time slice_end = pace.is_stopped() ? now + kClockPeriod : std::min(pace.due(logged), now + kClockPeriod);
     for (Time t = now; t < slice_end; t = bus_.clock().now()) bus_.wait(slice_end - t);
   }
   return true;
@@ -112,22 +138,21 @@ void Player::send_scan(const mcap::Message& message, Output& output, const Pass&
   for (const auto& [name, other] : outputs_) pass.peer->expect_delivery(*other.writer, name);
   const auto scan = bus::decode<msg::LaserScanPubSubType>(bytes_of(message.data));
   send(message, output);
-  if (scan) pass.on_pose(pass.peer->pose_of(scan->stamp_ns(), [&pass] { return pass.keep_going(pass.share); }));
+  if (scan) pass.on_pose(pass.peer->pose_of(scan->stamp_ns(), [&pass] { return !pass.is_to_end(); }));
 }
 
 bool Player::play_once(std::size_t first, Time begin, Pass pass) {
   const bool paced = pass.peer == nullptr && options_.rate > 0.0;
-  const ReplayPace pace{begin, bus_.clock().now(), options_.rate};
+  ReplayPace pace{begin, bus_.clock().now(), options_.rate};
   send_latched_before(first);
-  for (std::size_t i = first; i < reader_.message_count(); ++i) {
+  for (std::size_t i = first; i < pass.end; ++i) {
     Output* output = output_of(reader_.channel_at(i));
     if (output == nullptr) continue;
     const bool is_scan = output->info->name == topic::kScan.name;
     pass.share = static_cast<double>(i) / static_cast<double>(reader_.message_count());
     const Time logged = log_time(reader_.log_time_at(i));
-    const auto going = [&pass] { return pass.keep_going(pass.share); };
-    if (paced && !wait_until(pace.due(logged), pace, going)) return false;
-    if (!paced && sent_ % kMessagesBetweenReports == 0 && !going()) return false;
+    if (paced && !wait_until_due(logged, pace, pass)) return false;
+    if (!paced && sent_ % kMessagesBetweenReports == 0 && pass.is_to_end()) return false;
     const auto message = reader_.message_at(i);
     if (!message) continue;  // damaged; the reader has noted it
     if (is_scan && pass.peer != nullptr) {
@@ -140,16 +165,25 @@ bool Player::play_once(std::size_t first, Time begin, Pass pass) {
   return true;
 }
 
-std::uint64_t Player::play(const KeepGoing& keep_going, const OnPose& on_pose) {
+std::size_t Player::first_at(Time time) const {
+  std::size_t first = 0;
+  while (first < reader_.message_count() && log_time(reader_.log_time_at(first)) < time) ++first;
+  return first;
+}
+
+std::uint64_t Player::play(const Steer& steer, const OnPose& on_pose) {
   if (reader_.message_count() == 0) throw std::runtime_error("the recording is empty");
   std::optional<LockstepPeer> peer;
   if (options_.lockstep) peer.emplace(bus_);
 
-  const Time begin = log_time(reader_.log_time_at(0)) + from_seconds(options_.from_s);
-  std::size_t first = 0;
-  while (first < reader_.message_count() && log_time(reader_.log_time_at(first)) < begin) ++first;
-  const Pass pass{keep_going, on_pose, peer ? &*peer : nullptr, 0.0};
-  while (play_once(first, begin, pass) && options_.loop) ++epoch_;
+  const Time start = log_time(reader_.log_time_at(0));
+  const Time begin = start + from_seconds(options_.from_s);
+  const bool to_the_end = std::isinf(options_.until_s);
+  // What was logged at the very end is played, too.
+  const std::size_t end =
+      to_the_end ? reader_.message_count() : first_at(start + from_seconds(options_.until_s) + Duration{1});
+  const Pass pass{steer, on_pose, peer ? &*peer : nullptr, end, 0.0};
+  while (play_once(first_at(begin), begin, pass) && options_.loop) ++epoch_;
   for (const auto& [name, output] : outputs_) output.writer->wait_for_acknowledgments(std::chrono::seconds{2});
   return sent_;
 }

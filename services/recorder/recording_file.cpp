@@ -62,9 +62,13 @@ void write_recording(const std::filesystem::path& file, const std::function<void
   }
 }
 
+void rewrite_recording(mcap::Reader& reader, const std::filesystem::path& file) {
+  write_recording(file, [&reader](mcap::Writer& writer) { (void)mcap::copy(reader, writer); });
+}
+
 void compact_recording(const std::filesystem::path& file) {
   mcap::Reader reader{mcap::file_source(file), file.string()};
-  write_recording(file, [&reader](mcap::Writer& writer) { (void)mcap::copy(reader, writer); });
+  rewrite_recording(reader, file);
 }
 
 mcap::Header recording_header() {

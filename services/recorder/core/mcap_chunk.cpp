@@ -1,6 +1,6 @@
 #include "services/recorder/core/mcap_chunk.hpp"
 
-#include <zstd.h>
+#include "services/recorder/core/mcap_compression.hpp"
 
 namespace tandem::mcap {
 namespace {
@@ -12,21 +12,16 @@ constexpr std::uint64_t kLargestChunk = 256 << 20;  ///< [bytes] a larger one is
 std::variant<Bytes, ChunkDamage> records_in_chunk(ByteView content) {
   const auto chunk = parse<Chunk>(content);
   if (!chunk || chunk->uncompressed_size > kLargestChunk) return ChunkDamage{"a chunk is damaged"};
-  Bytes records;
-  if (chunk->compression.empty()) {
-    records.assign(chunk->records.begin(), chunk->records.end());
-  } else if (chunk->compression == "zstd") {
-    records.resize(static_cast<std::size_t>(chunk->uncompressed_size));
-    const std::size_t size =
-        ZSTD_decompress(records.data(), records.size(), chunk->records.data(), chunk->records.size());
-    if (ZSTD_isError(size) || size != records.size()) return ChunkDamage{"a chunk cannot be decompressed"};
-  } else {
-    return ChunkDamage{"a chunk is compressed with \"" + chunk->compression + "\", only zstd is known"};
+  const auto compression = compression_named(chunk->compression);
+  if (!compression) {
+    return ChunkDamage{"a chunk is compressed with \"" + chunk->compression + "\", only zstd and lz4 are known"};
   }
-  if (chunk->uncompressed_crc != 0 && crc32_of(records) != chunk->uncompressed_crc) {
+  auto records = decompressed(chunk->records, *compression, chunk->uncompressed_size);
+  if (!records) return ChunkDamage{"a chunk cannot be decompressed"};
+  if (chunk->uncompressed_crc != 0 && crc32_of(*records) != chunk->uncompressed_crc) {
     return ChunkDamage{"the checksum of a chunk is wrong"};
   }
-  return records;
+  return *std::move(records);
 }
 
 }  // namespace tandem::mcap

@@ -4,24 +4,13 @@
 #include <tuple>
 
 #include "services/recorder/core/mcap_chunk.hpp"
+#include "services/recorder/core/record_scan.hpp"
 
 namespace tandem::mcap {
 namespace {
 
 constexpr std::size_t kOpenChunks = 4;
-constexpr std::uint64_t kReadAhead = 1 << 20;
-
-struct RecordHead {
-  Opcode opcode{};
-  std::uint64_t length = 0;
-};
-
-/// The opcode and content length at the front of `bytes`, which has at least kRecordHead of them.
-RecordHead head_of(ByteView bytes) {
-  RecordHead head{static_cast<Opcode>(bytes[0]), 0};
-  for (std::size_t i = 0; i < 8; ++i) head.length |= static_cast<std::uint64_t>(bytes[1 + i]) << (8 * i);
-  return head;
-}
+constexpr std::uint64_t kPiece = 1 << 20;  ///< [bytes] read at once
 
 /// Calls `visit(opcode, offset, content)` for each whole record in `bytes`. False if something else follows them.
 template <typename Visit>
@@ -37,15 +26,28 @@ bool for_each_record(ByteView bytes, Visit visit) {
   return true;
 }
 
+/// The checksum of the first `length` bytes.
+std::uint32_t crc32_of_front(ByteSource& source, std::uint64_t length) {
+  std::uint32_t crc = 0;
+  for (std::uint64_t at = 0; at < length; at += kPiece)
+    crc = crc32_of(source.read(at, std::min(kPiece, length - at)), crc);
+  return crc;
+}
+
 }  // namespace
 
-Reader::Reader(std::unique_ptr<ByteSource> source, std::string name)
+Reader::Reader(std::unique_ptr<ByteSource> source, std::string name, ReadBy by)
     : source_(std::move(source)), name_(std::move(name)) {
   const Bytes magic = source_->read(0, sizeof(kMagic));
-  if (!std::equal(magic.begin(), magic.end(), std::begin(kMagic))) {
-    throw McapError(name_ + ": is not a recording (no MCAP file)");
+  const bool is_recording = std::equal(magic.begin(), magic.end(), std::begin(kMagic));
+  if (!is_recording && by == ReadBy::Summary) throw McapError(name_ + ": is not a recording (no MCAP file)");
+  if (!is_recording) note_damage(0, "the file does not begin as a recording does");
+  const bool has_summary = open_by_summary();
+  if (!has_summary || by == ReadBy::Records) {
+    forget_all();
+    open_by_scanning(is_recording ? sizeof(kMagic) : 0);
   }
-  if (!open_by_summary()) open_by_scanning();
+  if (!is_recording && entries_.empty()) throw McapError(name_ + ": is not a recording, and holds no record of one");
   std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
     return std::tie(a.log_time, a.chunk, a.offset) < std::tie(b.log_time, b.chunk, b.offset);
   });
@@ -74,19 +76,21 @@ bool Reader::open_by_summary() {
     note_damage(footer->summary_start, "the summary is damaged; read without it");
     return false;
   }
-  if (read_summary(ByteView{summary}.first(records))) return true;
+  return read_summary(ByteView{summary}.first(records));
+}
+
+void Reader::forget_all() {
   schemas_.clear();
   channels_.clear();
   chunks_.clear();
   entries_.clear();
   attachments_.clear();
   metadata_.clear();
-  return false;
 }
 
 bool Reader::read_summary(ByteView summary) {
   bool good = true;
-  std::uint64_t promised = 0;
+  std::optional<std::uint64_t> promised;  // without statistics nobody says whether the index is all
   std::vector<ChunkIndex> chunks;
   good = for_each_record(summary, [&](Opcode opcode, std::size_t, ByteView content) {
     if (opcode == Opcode::Schema) {
@@ -104,7 +108,9 @@ bool Reader::read_summary(ByteView summary) {
     }
   });
   for (const ChunkIndex& chunk : chunks) good = good && read_message_indexes(chunk);
-  return good && entries_.size() == promised;
+  const bool all_named = std::all_of(entries_.begin(), entries_.end(),
+                                     [this](const Entry& entry) { return channels_.contains(entry.channel_id); });
+  return good && all_named && promised == entries_.size();
 }
 
 bool Reader::read_message_indexes(const ChunkIndex& chunk) {
@@ -116,56 +122,57 @@ bool Reader::read_message_indexes(const ChunkIndex& chunk) {
     if (opcode != Opcode::MessageIndex) return;
     const auto index = parse<MessageIndex>(content);
     if (!index) return;
-    for (const auto& [time, offset] : index->entries) add_message({time, number, index->channel_id, offset});
+    for (const auto& [time, offset] : index->entries) entries_.push_back({time, number, index->channel_id, offset});
   });
 }
 
-void Reader::open_by_scanning() {
-  std::uint64_t offset = sizeof(kMagic);
-  Bytes window;
-  std::uint64_t window_at = offset;
-  const auto bytes_at = [&](std::uint64_t from, std::uint64_t length) {
-    if (from < window_at || from + length > window_at + window.size()) {
-      window = source_->read(from, std::max(length, kReadAhead));
-      window_at = from;
+void Reader::open_by_scanning(std::uint64_t start) {
+  RecordScan scan{*source_, start,
+                  [this](std::uint64_t offset, const std::string& what) { note_damage(offset, what); }};
+  bool in_summary = false;  // where schemas and channels stand once more
+  while (const auto record = scan.next()) {
+    if (record->opcode == Opcode::DataEnd) {
+      check_data_section(*record);
+      in_summary = true;
+    } else if (!in_summary || record->opcode == Opcode::Schema || record->opcode == Opcode::Channel) {
+      scan_record(record->opcode, {record->offset, record->content.size()}, record->content);
     }
-    return ByteView{window}.subspan(static_cast<std::size_t>(from - window_at), static_cast<std::size_t>(length));
-  };
-  std::uint32_t crc = crc32_of(kMagic);
-  while (offset + kRecordHead <= source_->size()) {
-    const RecordHead head = head_of(bytes_at(offset, kRecordHead));
-    if (head.length > source_->size() - offset - kRecordHead) break;  // the writer was killed here
-    const Place place{offset, head.length};
-    const ByteView record = bytes_at(offset, kRecordHead + head.length);
-    const ByteView content = record.subspan(kRecordHead);
-    if (head.opcode == Opcode::DataEnd) {
-      const auto end = parse<DataEnd>(content);
-      if (end && end->data_section_crc != 0 && end->data_section_crc != crc) {
-        note_damage(offset, "the checksum of all before is wrong");
-      }
-      return;
-    }
-    if (head.opcode == Opcode{0}) {
-      note_damage(offset, "no record begins here");
-      return;
-    }
-    scan_record(head.opcode, place, content);
-    crc = crc32_of(record, crc);
-    offset += record.size();
   }
-  if (closed_) note_damage(offset, "no record begins here, though the file was closed");
+  if (closed_ && !in_summary) note_damage(scan.offset(), "the end of the data is missing, though the file was closed");
+  name_lost_channels();
+}
+
+void Reader::check_data_section(const FoundRecord& record) {
+  const auto end = parse<DataEnd>(record.content);
+  if (!end || end->data_section_crc == 0 || !damages_.empty()) return;
+  if (end->data_section_crc != crc32_of_front(*source_, record.offset)) {
+    note_damage(record.offset, "the checksum of all before is wrong");
+  }
+}
+
+void Reader::name_lost_channels() {
+  for (const Entry& entry : entries_) {
+    if (channels_.contains(entry.channel_id)) continue;
+    const std::string topic = "lost_channel_" + std::to_string(entry.channel_id);
+    channels_[entry.channel_id] = {entry.channel_id, 0, topic, "", {}};
+    note_damage(entry.chunk == kNoChunk ? entry.offset : chunks_[entry.chunk].offset,
+                "the channel of this message is lost; it is named " + topic);
+  }
+  for (auto& [id, channel] : channels_) {
+    if (channel.schema_id == 0 || schemas_.contains(channel.schema_id)) continue;
+    note_damage(0, "the schema of " + channel.topic + " is lost");
+    channel.schema_id = 0;
+  }
 }
 
 void Reader::scan_record(Opcode opcode, Place place, ByteView content) {
   if (opcode == Opcode::Schema) {
-    if (auto schema = parse<Schema>(content)) schemas_[schema->id] = std::move(*schema);
+    if (auto schema = parse<Schema>(content)) schemas_.try_emplace(schema->id, std::move(*schema));
   } else if (opcode == Opcode::Channel) {
-    if (auto channel = parse<Channel>(content)) channels_[channel->id] = std::move(*channel);
+    if (auto channel = parse<Channel>(content)) channels_.try_emplace(channel->id, std::move(*channel));
   } else if (opcode == Opcode::Message) {
     if (const auto message = parse<Message>(content)) {
-      add_message({message->log_time, kNoChunk, message->channel_id, place.offset});
-    } else {
-      note_damage(place.offset, "a message is damaged");
+      entries_.push_back({message->log_time, kNoChunk, message->channel_id, place.offset});
     }
   } else if (opcode == Opcode::Chunk) {
     scan_chunk(place, content);
@@ -184,21 +191,12 @@ void Reader::scan_chunk(Place place, ByteView content) {
   const bool whole = for_each_record(*records, [&](Opcode opcode, std::size_t offset, ByteView inner) {
     if (opcode == Opcode::Message) {
       if (const auto message = parse<Message>(inner))
-        add_message({message->log_time, number, message->channel_id, offset});
+        entries_.push_back({message->log_time, number, message->channel_id, offset});
     } else if (opcode == Opcode::Schema || opcode == Opcode::Channel) {
       scan_record(opcode, place, inner);
     }
   });
   if (!whole) note_damage(place.offset, "a chunk ends inside a record");
-}
-
-void Reader::add_message(const Entry& entry) {
-  if (channels_.contains(entry.channel_id)) {
-    entries_.push_back(entry);
-  } else {
-    note_damage(entry.chunk == kNoChunk ? entry.offset : chunks_[entry.chunk].offset,
-                "a message of the unknown channel " + std::to_string(entry.channel_id));
-  }
 }
 
 std::optional<Bytes> Reader::unpacked(const Place& place, ByteView content) {

@@ -10,12 +10,20 @@
 
 namespace tandem::mcap {
 
+struct FoundRecord;
+
+/// How a recording is opened.
+enum class ReadBy {
+  Summary,  ///< by the index at its end where there is one
+  Records,  ///< going through all of it, whatever the index says: for what is damaged
+};
+
 /// Reads an MCAP file by its index; a file without one (still being written, or its writer was killed) by going through
-/// it once. It opens up to the last whole record; complete() tells.
+/// it once. It opens up to the last whole record, past what is damaged (record_scan.hpp); complete() tells.
 class Reader {
  public:
   /// Throws McapError when `source` is no MCAP file at all; `name` stands in messages.
-  Reader(std::unique_ptr<ByteSource> source, std::string name);
+  Reader(std::unique_ptr<ByteSource> source, std::string name, ReadBy by = ReadBy::Summary);
 
   /// True if the writer closed the file and nothing damaged was met so far.
   [[nodiscard]] bool complete() const { return closed_ && damages_.empty(); }
@@ -58,10 +66,13 @@ class Reader {
   [[nodiscard]] bool open_by_summary();
   [[nodiscard]] bool read_summary(ByteView summary);
   [[nodiscard]] bool read_message_indexes(const ChunkIndex& chunk);
-  void open_by_scanning();
+  void forget_all();
+  void open_by_scanning(std::uint64_t start);
+  void check_data_section(const FoundRecord& end);
+  /// Messages whose channel was damaged get one with a made-up name, so that they are not lost with it.
+  void name_lost_channels();
   void scan_record(Opcode opcode, Place place, ByteView content);
   void scan_chunk(Place place, ByteView content);
-  void add_message(const Entry& entry);
   /// The records of `chunk`, or null after noting why not.
   [[nodiscard]] const Bytes* records_of(std::uint32_t chunk);
   [[nodiscard]] std::optional<Bytes> unpacked(const Place& place, ByteView content);

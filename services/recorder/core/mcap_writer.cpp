@@ -1,26 +1,14 @@
 #include "services/recorder/core/mcap_writer.hpp"
 
-#include <zstd.h>
-
 #include <algorithm>
 
 namespace tandem::mcap {
 namespace {
 
-constexpr int kCompressionLevel = 3;
-
 Bytes opening(const Header& header) {
   Bytes bytes{std::begin(kMagic), std::end(kMagic)};
   append(bytes, header);
   return bytes;
-}
-
-Bytes compressed(const Bytes& bytes) {
-  Bytes out(ZSTD_compressBound(bytes.size()));
-  const std::size_t size = ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), kCompressionLevel);
-  if (ZSTD_isError(size)) throw McapError(std::string{"zstd cannot compress: "} + ZSTD_getErrorName(size));
-  out.resize(size);
-  return out;
 }
 
 template <typename Record>
@@ -78,8 +66,8 @@ bool LiveWriter::finish() {
   return sink_.put(end);
 }
 
-IndexedWriter::IndexedWriter(Sink sink, const Header& header, std::size_t chunk_size)
-    : sink_(std::move(sink)), chunk_size_(chunk_size) {
+IndexedWriter::IndexedWriter(Sink sink, const Header& header, std::size_t chunk_size, Compression compression)
+    : sink_(std::move(sink)), chunk_size_(chunk_size), compression_(compression) {
   sink_.put(opening(header));
 }
 
@@ -130,12 +118,13 @@ bool IndexedWriter::write(const Metadata& metadata) {
 
 bool IndexedWriter::flush_chunk() {
   if (chunk_.empty()) return sink_.good();
-  const Bytes packed = compressed(chunk_);
+  const Bytes packed = compressed(chunk_, compression_);
+  const std::string compression = name_of(compression_);
   Bytes record;
-  append(record, Chunk{chunk_start_time_, chunk_end_time_, chunk_.size(), crc32_of(chunk_), "zstd", packed});
+  append(record, Chunk{chunk_start_time_, chunk_end_time_, chunk_.size(), crc32_of(chunk_), compression, packed});
 
-  ChunkIndex index{chunk_start_time_, chunk_end_time_, sink_.position(), record.size(), {}, 0, "zstd",
-                   packed.size(),     chunk_.size()};
+  ChunkIndex index{chunk_start_time_, chunk_end_time_, sink_.position(), record.size(), {}, 0,
+                   compression,       packed.size(),   chunk_.size()};
   if (!sink_.put(record)) return false;
   for (const auto& [channel, messages] : chunk_messages_) {
     index.message_index_offsets[channel] = sink_.position();

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "services/recorder/core/mcap_compression.hpp"
 #include "services/recorder/core/mcap_records.hpp"
 
 namespace tandem::mcap {
@@ -63,10 +64,11 @@ class LiveWriter final : public Writer {
   Bytes buffer_;
 };
 
-/// In zstd chunks with message indexes, and at the end a summary that finds everything.
+/// In compressed chunks with message indexes, and at the end a summary that finds everything.
 class IndexedWriter final : public Writer {
  public:
-  IndexedWriter(Sink sink, const Header& header, std::size_t chunk_size = 1 << 20);
+  IndexedWriter(Sink sink, const Header& header, std::size_t chunk_size = 1 << 20,
+                Compression compression = Compression::Zstd);
   bool write(const Schema& schema) override;
   bool write(const Channel& channel) override;
   bool write(const Message& message) override;
@@ -80,6 +82,7 @@ class IndexedWriter final : public Writer {
 
   CheckedSink sink_;
   std::size_t chunk_size_;
+  Compression compression_;
   Bytes chunk_;  ///< the records of the chunk to come
   std::map<std::uint16_t, MessageIndex> chunk_messages_;
   std::uint64_t chunk_start_time_ = 0;

@@ -28,7 +28,23 @@ Time ReplayPace::due(Time logged) const {
 }
 
 Time ReplayPace::mission_time(Time now) const {
+  if (is_stopped_) return first_;
   return first_ + from_seconds(to_seconds(now - start_) * rate_);
+}
+
+void ReplayPace::stop(Time now) {
+  step_to(mission_time(now));
+}
+
+void ReplayPace::go_on(Time now) {
+  if (!is_stopped_) return;
+  start_ = now;
+  is_stopped_ = false;
+}
+
+void ReplayPace::step_to(Time logged) {
+  first_ = logged;
+  is_stopped_ = true;
 }
 
 }  // namespace tandem::recorder

@@ -77,6 +77,23 @@ TEST_F(RecordingCommands, ARecordingCutShortIsOpenedAndSaidNotToBeComplete) {
   EXPECT_EQ(json.at("messages"), 4);
 }
 
+TEST_F(RecordingCommands, ARecoveredRecordingIsCompleteAndWhatWasDamagedIsNamed) {
+  ASSERT_EQ(run("import carmen " + path("log.txt") + " -o " + path("a.mcap") + " 2>&1").code, 0);
+  const std::string whole = read_file(path("a.mcap"));
+  write("cut.mcap", whole.substr(0, whole.size() - 30));
+  EXPECT_EQ(run("recover " + path("cut.mcap") + " -o " + path("b.mcap") + " 2>&1").output,
+            path("b.mcap") + ": 4 messages; nothing was damaged\n");
+  EXPECT_EQ(nlohmann::json::parse(run("info --json " + path("b.mcap")).output).at("complete"), true);
+
+  std::string damaged = whole;
+  damaged[damaged.size() - 60] ^= 0x01;  // in the summary, which is not needed
+  write("damaged.mcap", damaged);
+  const Outcome outcome = run("recover " + path("damaged.mcap") + " -o " + path("b.mcap") + " 2>&1");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.output.find("tandem: " + path("damaged.mcap") + ": byte "), 0U) << outcome.output;
+  EXPECT_EQ(nlohmann::json::parse(run("info --json " + path("b.mcap")).output).at("messages"), 4);
+}
+
 TEST_F(RecordingCommands, WhatIsNoRecordingIsRefusedByName) {
   const Outcome outcome = run("info " + path("log.txt") + " 2>&1");
   EXPECT_EQ(outcome.code, 1);

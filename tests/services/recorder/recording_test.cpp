@@ -16,6 +16,8 @@ namespace {
 
 using std::chrono::seconds;
 
+const Player::Steer kPlay = [](double) { return ReplayWish::Play; };
+
 /// A folder of its own, gone at the end.
 class Recording : public testing::Test {
  protected:
@@ -80,6 +82,136 @@ TEST_F(Recording, HoldsEachSampleByteForByteAndTheEndOfAnInstance) {
   EXPECT_FALSE(std::filesystem::exists(file.string() + ".part"));
 }
 
+/// A recorder and a tracker that talks to it, one message at a time.
+struct RecordedTracker {
+  RecordedTracker(const bus::DomainOptions& recorder, const bus::DomainOptions& tracker, const RecorderConfig& config,
+                  const std::filesystem::path& file)
+      : recorder_bus(recorder), tracker_bus(tracker), service(config, {}, file, {}, recorder_bus) {
+    EXPECT_TRUE(bus::wait_until(tracker_bus, seconds{10}, [&] { return teammates.raw().matched_readers() == 1; }));
+  }
+  void say(int stamp, const std::string& agent = "person1") {
+    msg::TeammateState state;
+    state.agent(agent);
+    state.stamp_ns(stamp);
+    ASSERT_TRUE(teammates.write(state));
+  }
+  bus::Bus recorder_bus;
+  bus::Bus tracker_bus;
+  RecorderService service;
+  bus::Writer<msg::TeammateState, msg::TeammateStatePubSubType> teammates = tracker_bus.writer(topic::kTeammates);
+};
+
+/// Stamps of all teammates of a recording.
+std::vector<std::int64_t> stamps(const std::filesystem::path& file) {
+  std::vector<std::int64_t> all;
+  for (const mcap::Bytes& payload : payloads(file, "teammates")) {
+    const auto state = bus::decode<msg::TeammateStatePubSubType>(payload);
+    all.push_back(state ? state->stamp_ns() : -1);
+  }
+  return all;
+}
+
+TEST_F(Recording, GoesOnInANewFileWithoutLosingOrDoublingAMessage) {
+  RecorderConfig config;
+  config.topics = {"teammates"};
+  config.rotate_s = 0.2;
+  const auto file = folder_ / "a.mcap";
+  RecordedTracker tracker{options("recorder"), options("tracker"), config, file};
+  int said = 0;
+  while (!std::filesystem::exists(folder_ / "a_part4.mcap")) {
+    tracker.say(++said);
+    while (tracker.service.message_count() < static_cast<std::uint64_t>(said)) tracker.service.step();
+  }
+  EXPECT_NE(tracker.service.finish().find("a.mcap and 3 more parts: "), std::string::npos);
+
+  std::vector<std::int64_t> all;
+  for (const char* name : {"a.mcap", "a_part2.mcap", "a_part3.mcap", "a_part4.mcap"}) {
+    mcap::Reader reader{mcap::file_source(folder_ / name), name};
+    EXPECT_TRUE(reader.complete()) << name;
+    for (const std::int64_t stamp : stamps(folder_ / name)) all.push_back(stamp);
+  }
+  ASSERT_EQ(all.size(), static_cast<std::size_t>(said));
+  for (int i = 0; i < said; ++i) EXPECT_EQ(all[static_cast<std::size_t>(i)], i + 1);
+}
+
+TEST_F(Recording, GoesOnInANewFileWhenOneIsLarge) {
+  RecorderConfig config;
+  config.topics = {"map"};
+  config.rotate_mb = 1;
+  config.compact_at_close = false;
+  bus::Bus recorder_bus{options("recorder")};
+  bus::Bus server{options("map_server")};
+  RecorderService service{config, {}, folder_ / "a.mcap", {}, recorder_bus};
+  auto maps = server.writer(topic::kMap);
+  ASSERT_TRUE(bus::wait_until(server, seconds{10}, [&] { return maps.raw().matched_readers() == 1; }));
+  msg::OccupancyGrid map;
+  map.cells(std::vector<std::uint8_t>(400'000));
+  for (std::uint64_t said = 1; said <= 4; ++said) {
+    ASSERT_TRUE(maps.write(map));
+    while (service.message_count() < said) service.step();
+  }
+  (void)service.finish();
+  EXPECT_EQ(payloads(folder_ / "a.mcap", "map").size(), 3U);  // 1.2 MB
+  EXPECT_EQ(payloads(folder_ / "a_part2.mcap", "map").size(), 1U);
+}
+
+TEST_F(Recording, WithPreRollBeginsBeforeTheEvent) {
+  RecorderConfig config;
+  config.topics = {"teammates", "pose_hint"};
+  config.pre_roll_s = 60.0;
+  config.event_topics = {"pose_hint"};
+  const auto file = folder_ / "a.mcap";
+  RecordedTracker tracker{options("recorder"), options("tracker"), config, file};
+  auto hints = tracker.tracker_bus.writer(topic::kPoseHint);
+  ASSERT_TRUE(bus::wait_until(tracker.tracker_bus, seconds{10}, [&] { return hints.raw().matched_readers() == 1; }));
+  tracker.say(1, "person1");
+  tracker.say(2, "person2");
+  for (int i = 0; i < 5; ++i) tracker.service.step();
+  EXPECT_FALSE(std::filesystem::exists(file));
+  ASSERT_TRUE(hints.write({}));
+  while (tracker.service.message_count() < 3) tracker.service.step();
+  tracker.say(3);
+  while (tracker.service.message_count() < 4) tracker.service.step();
+  (void)tracker.service.finish();
+  EXPECT_EQ(stamps(file), (std::vector<std::int64_t>{1, 2, 3}));
+  EXPECT_EQ(payloads(file, "pose_hint").size(), 1U);
+}
+
+TEST_F(Recording, HoldsTheChosenTopicsAlone) {
+  RecorderConfig config;
+  config.topics = {"team*"};
+  config.without_topics = {"*_plan"};
+  bus::Bus recorder_bus{options("recorder")};
+  bus::Bus others{options("others")};
+  RecorderService service{config, {}, folder_ / "a.mcap", {}, recorder_bus};
+  auto teammates = others.writer(topic::kTeammates);
+  auto plan = others.writer(topic::kTeamPlan);
+  auto odometry = others.writer(topic::kOdometry);
+  ASSERT_TRUE(bus::wait_until(others, seconds{10}, [&] { return teammates.raw().matched_readers() == 1; }));
+  EXPECT_EQ(plan.raw().matched_readers(), 0);
+  EXPECT_EQ(odometry.raw().matched_readers(), 0);
+}
+
+TEST_F(Recording, SaysWhatItHadToDrop) {
+  RecorderConfig config;
+  config.topics = {"teammates"};
+  config.queue_limit = 10;
+  const auto file = folder_ / "a.mcap";
+  RecordedTracker tracker{options("recorder"), options("tracker"), config, file};
+  // Nobody writes to the disk meanwhile: 5 of these 15 find no room.
+  for (int i = 1; i <= 15; ++i) tracker.say(i, "person" + std::to_string(i));
+  ASSERT_TRUE(tracker.teammates.raw().wait_for_acknowledgments(seconds{10}));
+  while (tracker.service.message_count() < 10) tracker.service.step();
+  (void)tracker.service.finish();
+  mcap::Reader reader{mcap::file_source(file), "a.mcap"};
+  std::string dropped;
+  for (const mcap::Metadata& record : reader.metadata()) {
+    if (record.name == "dropped") dropped = record.entries.at("teammates");
+  }
+  EXPECT_EQ(dropped, std::to_string(15 - stamps(file).size()));
+  EXPECT_EQ(dropped, "5");
+}
+
 TEST_F(Recording, OfAReplayHoldsTheSamePayloads) {
   const auto original = imported(20);
   bus::Bus recorder_bus{options("recorder")};
@@ -92,7 +224,7 @@ TEST_F(Recording, OfAReplayHoldsTheSamePayloads) {
   std::thread recording{[&] {
     while (!over) service.step();
   }};
-  EXPECT_EQ(player.play([](double) { return true; }, {}), 40U);
+  EXPECT_EQ(player.play(kPlay, {}), 40U);
   EXPECT_TRUE(bus::wait_until(player_bus, seconds{10}, [&] {  // the last is still on its way
     return payloads(file, "scan").size() == 20 && payloads(file, "odometry").size() == 20;
   }));
@@ -103,6 +235,90 @@ TEST_F(Recording, OfAReplayHoldsTheSamePayloads) {
   EXPECT_TRUE(payloads(file, "scan") == payloads(original, "scan"));
   EXPECT_TRUE(payloads(file, "odometry") == payloads(original, "odometry"));
   EXPECT_FALSE(payloads(file, "clock").empty());
+}
+
+/// A recording of teammates: person1 at 1 s, person2 at 2 s, the end of person1 at 3 s, person2 again at 4 s.
+mcap::Reader teammates_recording() {
+  mcap::Bytes bytes;
+  const auto sink = [&bytes](mcap::ByteView record) {
+    bytes.insert(bytes.end(), record.begin(), record.end());
+    return true;
+  };
+  mcap::LiveWriter writer{sink, {}};
+  mcap::ChannelTable channels{writer};
+  const auto write = [&](const std::string& agent, std::uint64_t time_s) {
+    msg::TeammateState state;
+    state.agent(agent);
+    state.stamp_ns(static_cast<std::int64_t>(time_s));
+    const auto payload = bus::encode<msg::TeammateStatePubSubType>(state);
+    channels.write(channels.channel_of("teammates", "tandem::msg::TeammateState", ""), time_s * 1'000'000'000, 0,
+                   payload);
+    return bus::key_of<msg::TeammateStatePubSubType>(state);
+  };
+  const bus::KeyHash person1 = write("person1", 1);
+  write("person2", 2);
+  channels.write(channels.channel_of("teammates" + std::string{kDisposedSuffix}, "", "", kDisposedEncoding),
+                 3'000'000'000, 0, person1);
+  write("person2", 4);
+  writer.finish();
+  return mcap::Reader{mcap::memory_source(bytes), "teammates.mcap"};
+}
+
+TEST_F(Recording, TheEndOfAnInstanceIsReplayed) {
+  bus::Bus player_bus{options("replay")};
+  bus::Bus planner{options("planner")};
+  auto teammates = planner.latest(topic::kTeammates);
+  mcap::Reader reader = teammates_recording();
+  ReplayOptions replay;
+  replay.rate = 0.0;
+  Player player{reader, player_bus, replay};
+  ASSERT_TRUE(bus::wait_until(planner, seconds{10}, [&] { return teammates.matched_writers() == 1; }));
+  EXPECT_EQ(player.play(kPlay, {}), 4U);
+  EXPECT_TRUE(bus::wait_until(planner, seconds{10}, [&] {
+    const auto each = teammates.each();
+    return each.size() == 1 && each[0].message.agent() == "person2" && each[0].message.stamp_ns() == 4;
+  }));
+}
+
+TEST_F(Recording, WhatHadEndedBeforeTheBeginningIsNotSent) {
+  bus::Bus player_bus{options("replay")};
+  mcap::Reader reader = teammates_recording();
+  ReplayOptions replay;
+  replay.rate = 0.0;
+  replay.from_s = 2.5;  // after person1 has ended
+  Player player{reader, player_bus, replay};
+  EXPECT_EQ(player.play(kPlay, {}), 2U);  // person2 as it was, and as it came
+}
+
+TEST_F(Recording, IsReplayedUpToATimeAndUnderAnotherName) {
+  bus::Bus player_bus{options("replay")};
+  bus::Bus viewer{options("viewer")};
+  mcap::Reader reader = teammates_recording();
+  ReplayOptions replay;
+  replay.rate = 0.0;
+  replay.until_s = 1.0;
+  replay.rename = {{"teammates", "recorded_teammates"}};
+  TopicInfo renamed = info_of(topic::kTeammates);
+  renamed.name = "recorded_teammates";
+  const auto box = std::make_shared<bus::LatestBox>();
+  const auto subscription = viewer.subscribe(renamed, box);
+  const auto usual = viewer.latest(topic::kTeammates);
+  Player player{reader, player_bus, replay};
+  ASSERT_TRUE(bus::wait_until(viewer, seconds{10}, [&] { return subscription->matched_writers() == 1; }));
+  EXPECT_EQ(player.play(kPlay, {}), 2U);
+  EXPECT_TRUE(bus::wait_until(viewer, seconds{10}, [&] { return box->each().size() == 2; }));
+  EXPECT_EQ(usual.matched_writers(), 0);
+}
+
+TEST_F(Recording, APausedReplaySendsOneMessageAStep) {
+  bus::Bus player_bus{options("replay")};
+  mcap::Reader reader = teammates_recording();
+  Player player{reader, player_bus, {}};
+  std::vector<ReplayWish> wishes{ReplayWish::Pause, ReplayWish::Step,  ReplayWish::Pause,
+                                 ReplayWish::Step,  ReplayWish::Pause, ReplayWish::End};
+  std::size_t asked = 0;
+  // The first message is due at once, without being asked for.
+  EXPECT_EQ(player.play([&](double) { return wishes.at(asked++); }, {}), 3U);
 }
 
 TEST_F(Recording, InLockstepEveryScanFindsAllOdometryBeforeIt) {
@@ -134,9 +350,7 @@ TEST_F(Recording, InLockstepEveryScanFindsAllOdometryBeforeIt) {
   replay.lockstep = true;
   Player player{reader, bus, replay};
   std::vector<double> counts;
-  EXPECT_EQ(player.play([](double) { return true; },
-                        [&](const msg::RobotPose& pose) { counts.push_back(pose.map_from_base().x()); }),
-            100U);
+  EXPECT_EQ(player.play(kPlay, [&](const msg::RobotPose& pose) { counts.push_back(pose.map_from_base().x()); }), 100U);
   over = true;
   localization.join();
   ASSERT_EQ(counts.size(), 50U);

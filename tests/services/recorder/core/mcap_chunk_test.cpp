@@ -38,16 +38,18 @@ TEST(McapChunk, AWrongChecksumIsDamage) {
   EXPECT_EQ(damage_of(chunk), "the checksum of a chunk is wrong");
 }
 
-TEST(McapChunk, WhatIsNoZstdIsDamage) {
-  Chunk chunk = uncompressed();
-  chunk.compression = "zstd";
-  EXPECT_EQ(damage_of(chunk), "a chunk cannot be decompressed");
+TEST(McapChunk, WhatIsNotCompressedAsItSaysIsDamage) {
+  for (const char* name : {"zstd", "lz4"}) {
+    Chunk chunk = uncompressed();
+    chunk.compression = name;
+    EXPECT_EQ(damage_of(chunk), "a chunk cannot be decompressed") << name;
+  }
 }
 
 TEST(McapChunk, AnUnknownCompressionIsNamed) {
   Chunk chunk = uncompressed();
-  chunk.compression = "lz4";
-  EXPECT_EQ(damage_of(chunk), "a chunk is compressed with \"lz4\", only zstd is known");
+  chunk.compression = "brotli";
+  EXPECT_EQ(damage_of(chunk), "a chunk is compressed with \"brotli\", only zstd and lz4 are known");
 }
 
 TEST(McapChunk, AnAbsurdSizeIsDamageAndNotMemory) {

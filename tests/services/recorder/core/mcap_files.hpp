@@ -48,16 +48,16 @@ inline Bytes live_file(int count, bool closed = true) {
   return bytes;
 }
 
-inline Bytes indexed_file(int count, std::size_t chunk_size = 200) {
+inline Bytes indexed_file(int count, std::size_t chunk_size = 200, Compression compression = Compression::Zstd) {
   Bytes bytes;
-  IndexedWriter writer{into(bytes), {"", "test"}, chunk_size};
+  IndexedWriter writer{into(bytes), {"", "test"}, chunk_size, compression};
   fill(writer, count);
   EXPECT_TRUE(writer.finish());
   return bytes;
 }
 
-inline Reader opened(Bytes bytes) {
-  return Reader{memory_source(std::move(bytes)), "test.mcap"};
+inline Reader opened(Bytes bytes, ReadBy by = ReadBy::Summary) {
+  return Reader{memory_source(std::move(bytes)), "test.mcap", by};
 }
 
 inline void expect_all(Reader& reader, int count) {

@@ -13,10 +13,14 @@ TEST(McapWriter, ALiveFileThatWasClosedIsComplete) {
   EXPECT_TRUE(reader.complete());
 }
 
-TEST(McapWriter, AnIndexedFileGivesTheSameMessages) {
-  Reader reader = opened(indexed_file(20));
-  expect_all(reader, 20);
-  EXPECT_TRUE(reader.complete());
+TEST(McapWriter, AnIndexedFileGivesTheSameMessagesHoweverItIsCompressed) {
+  for (const Compression compression : {Compression::None, Compression::Zstd, Compression::Lz4}) {
+    for (const ReadBy by : {ReadBy::Summary, ReadBy::Records}) {
+      Reader reader = opened(indexed_file(20, 200, compression), by);
+      expect_all(reader, 20);
+      EXPECT_TRUE(reader.complete()) << name_of(compression);
+    }
+  }
 }
 
 TEST(McapWriter, AFullDiskEndsTheFileAtTheLastWholeRecord) {

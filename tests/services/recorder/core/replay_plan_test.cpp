@@ -41,6 +41,23 @@ TEST(ReplayPlan, TwiceTheRateIsHalfTheTime) {
   EXPECT_EQ(pace.mission_time(at(8.0)), at(102.0));  // 1 s in, 2 s of recording
 }
 
+TEST(ReplayPlan, WhileStoppedRecordedTimeStandsAndThenGoesOnFromThere) {
+  ReplayPace pace{at(100.0), at(0.0), 2.0};
+  pace.stop(at(5.0));
+  EXPECT_TRUE(pace.is_stopped());
+  EXPECT_EQ(pace.mission_time(at(8.0)), at(110.0));
+  pace.go_on(at(9.0));
+  EXPECT_EQ(pace.mission_time(at(10.0)), at(112.0));
+  EXPECT_EQ(pace.due(at(112.0)), at(10.0));
+}
+
+TEST(ReplayPlan, AStepMovesRecordedTimeAndLeavesItStanding) {
+  ReplayPace pace{at(100.0), at(0.0), 1.0};
+  pace.stop(at(5.0));
+  pace.step_to(at(107.0));
+  EXPECT_EQ(pace.mission_time(at(50.0)), at(107.0));
+}
+
 TEST(ReplayPlan, AtFullSpeedEverythingIsDueAtOnce) {
   const ReplayPace pace{at(100.0), at(7.0), 0.0};
   EXPECT_EQ(pace.due(at(1e6)), at(7.0));
