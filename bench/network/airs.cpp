@@ -26,6 +26,11 @@ test::Conditions conditions_of(const std::string& air) {
   return conditions;
 }
 
+std::uint64_t seed_of(int run) {
+  constexpr int kMostHosts = 100;
+  return static_cast<std::uint64_t>(run * kMostHosts);
+}
+
 std::string title_of(const std::string& air) {
   if (air == "clean") return "0 %";
   if (air == "2M") return "2 Mbit/s";

@@ -23,9 +23,9 @@ struct Part {
   int most_runs = 100;
 };
 
-/// A measurement that needs no more than a name and an air.
-auto by(Figures (*measure)(const std::string& whose, const std::string& air)) {
-  return [measure](const NetworkKey& key) { return measure(key.whose, key.air); };
+/// A measurement that needs no more than a name, an air and a number.
+auto by(Figures (*measure)(const std::string& whose, const std::string& air, int run)) {
+  return [measure](const NetworkKey& key) { return measure(key.whose, key.air, key.run); };
 }
 
 const std::vector<Part>& parts() {
@@ -35,15 +35,15 @@ const std::vector<Part>& parts() {
       {"map300",
        kAll,
        {"loss10", "loss20", "2M"},
-       [](const NetworkKey& key) { return map_to_late_joiner(key.whose, key.air, 300'000, false); }},
+       [](const NetworkKey& key) { return map_to_late_joiner(key.whose, key.air, key.run, 300'000, false); }},
       {"map60",
        kAll,
        {"loss20", "loss30", "2M"},
-       [](const NetworkKey& key) { return map_to_late_joiner(key.whose, key.air, 60'000, false); }},
+       [](const NetworkKey& key) { return map_to_late_joiner(key.whose, key.air, key.run, 60'000, false); }},
       {"map300_odometry",
        {"2M", "2M+loss10"},
        {"2M"},
-       [](const NetworkKey& key) { return map_to_late_joiner(key.whose, key.air, 300'000, true); }},
+       [](const NetworkKey& key) { return map_to_late_joiner(key.whose, key.air, key.run, 300'000, true); }},
       {"message", kLossy, {"clean", "loss20", "loss30"}, by(messages)},
       {"plan", {"clean", "loss10", "loss20", "loss30", "bursts", "2M"}, {"clean", "loss30"}, by(plan_and_pose)},
       {"first_data",
@@ -52,12 +52,18 @@ const std::vector<Part>& parts() {
        by(first_data)},
       {"outage", {"clean", "loss20"}, {"clean"}, by(after_outage)},
       {"address", {"clean", "loss20"}, {"clean"}, by(after_address_change)},
-      {"cost_idle", {"clean"}, {"clean"}, [](const NetworkKey& key) { return cost(key.whose, key.air, 1, false); }},
+      {"cost_idle",
+       {"clean"},
+       {"clean"},
+       [](const NetworkKey& key) { return cost(key.whose, key.air, key.run, 1, false); }},
       {"cost_driving1",
        {"clean", "loss20"},
        {"clean"},
-       [](const NetworkKey& key) { return cost(key.whose, key.air, 1, true); }},
-      {"cost_driving5", {"clean"}, {"clean"}, [](const NetworkKey& key) { return cost(key.whose, key.air, 5, true); }},
+       [](const NetworkKey& key) { return cost(key.whose, key.air, key.run, 1, true); }},
+      {"cost_driving5",
+       {"clean"},
+       {"clean"},
+       [](const NetworkKey& key) { return cost(key.whose, key.air, key.run, 5, true); }},
       {"team_cost", {"clean"}, {"clean"}, [](const NetworkKey& key) { return team_cost(key.air); }, true},
       {"false_stops",
        {"loss30+bursts"},

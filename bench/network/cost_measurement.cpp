@@ -85,8 +85,8 @@ struct Reader {
 
 }  // namespace
 
-Figures cost(const std::string& whose, const std::string& air, int readers, bool driving) {
-  test::Laboratory lab{{"robot", "laptop"}};
+Figures cost(const std::string& whose, const std::string& air, int run, int readers, bool driving) {
+  test::Laboratory lab{{"robot", "laptop"}, seed_of(run)};
   lab.set_all(conditions_of(air));
   const auto robot = make_side(whose, lab.host("robot"), lab.host("laptop").address());
   const auto laptop = make_side(whose, lab.host("laptop"), lab.host("robot").address());

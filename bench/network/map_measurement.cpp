@@ -22,8 +22,9 @@ msg::CompressedMap map_of(std::size_t bytes) {
 
 }  // namespace
 
-Figures map_to_late_joiner(const std::string& whose, const std::string& air, std::size_t bytes, bool odometry) {
-  test::Laboratory lab{{"robot", "laptop"}};
+Figures map_to_late_joiner(const std::string& whose, const std::string& air, int run, std::size_t bytes,
+                           bool odometry) {
+  test::Laboratory lab{{"robot", "laptop"}, seed_of(run)};
   lab.set_all(conditions_of(air));
   auto& robot_host = lab.host("robot");
   auto& laptop_host = lab.host("laptop");

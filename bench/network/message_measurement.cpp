@@ -102,8 +102,8 @@ class Sender {
 
 }  // namespace
 
-Figures messages(const std::string& whose, const std::string& air) {
-  test::Laboratory lab{{"robot", "laptop"}};
+Figures messages(const std::string& whose, const std::string& air, int run) {
+  test::Laboratory lab{{"robot", "laptop"}, seed_of(run)};
   const auto robot = make_side(whose, lab.host("robot"), lab.host("laptop").address());
   const auto laptop = make_side(whose, lab.host("laptop"), lab.host("robot").address());
   const bool ours = whose == "ours";

@@ -41,8 +41,8 @@ Figures pose_figures(const std::vector<bus::RawSample>& arrived, std::uint64_t s
 
 }  // namespace
 
-Figures plan_and_pose(const std::string& whose, const std::string& air) {
-  test::Laboratory lab{{"robot", "laptop"}};
+Figures plan_and_pose(const std::string& whose, const std::string& air, int run) {
+  test::Laboratory lab{{"robot", "laptop"}, seed_of(run)};
   const auto robot = make_side(whose, lab.host("robot"), lab.host("laptop").address());
   const auto laptop = make_side(whose, lab.host("laptop"), lab.host("robot").address());
   const auto plans_out = laptop->writer(info_of(topic::kTeamPlan));

@@ -13,13 +13,13 @@ constexpr Duration kPatience = seconds{20};
 
 /// A robot that sends its pose, and a laptop that has heard it.
 struct Flowing {
-  test::Laboratory lab{{"robot", "laptop"}};
+  test::Laboratory lab;
   std::unique_ptr<Side> robot;
   std::unique_ptr<Side> laptop;
   std::unique_ptr<Stream> poses;
   std::unique_ptr<Listener> listener;
 
-  explicit Flowing(const std::string& whose) {
+  Flowing(const std::string& whose, int run) : lab({"robot", "laptop"}, seed_of(run)) {
     robot = make_side(whose, lab.host("robot"), lab.host("laptop").address());
     laptop = make_side(whose, lab.host("laptop"), lab.host("robot").address());
     poses = pose_stream(*robot, kPoseRate_hz);
@@ -31,8 +31,8 @@ struct Flowing {
 
 }  // namespace
 
-Figures first_data(const std::string& whose, const std::string& air) {
-  test::Laboratory lab{{"robot", "laptop"}};
+Figures first_data(const std::string& whose, const std::string& air, int run) {
+  test::Laboratory lab{{"robot", "laptop"}, seed_of(run)};
   lab.set_all(conditions_of(air));
   const auto robot = make_side(whose, lab.host("robot"), lab.host("laptop").address());
   const auto poses = pose_stream(*robot, kPoseRate_hz);
@@ -46,16 +46,16 @@ Figures first_data(const std::string& whose, const std::string& air) {
   return {{"ms", waited_ms < kNever ? made_ms + waited_ms : kNever}};
 }
 
-Figures after_outage(const std::string& whose, const std::string& air) {
-  Flowing flowing{whose};
+Figures after_outage(const std::string& whose, const std::string& air, int run) {
+  Flowing flowing{whose, run};
   flowing.lab.set_all({.out = true});
   pause(seconds{30});
   flowing.lab.set_all(conditions_of(air));
   return {{"ms", ms_to_next_pose(*flowing.listener, kPatience)}};
 }
 
-Figures after_address_change(const std::string& whose, const std::string& air) {
-  Flowing flowing{whose};
+Figures after_address_change(const std::string& whose, const std::string& air, int run) {
+  Flowing flowing{whose, run};
   const auto plans = plan_stream(*flowing.laptop, kPlanRate_hz);
   Listener plans_in{*flowing.robot, info_of(topic::kTeamPlan)};
   if (!holds_within(seconds{30}, [&] { return !plans_in.arrivals->take().empty(); })) return {};

@@ -150,7 +150,7 @@ Figures team_cost(const std::string& air) {
 Figures false_stops(const std::string& air, int run) {
   constexpr int kTeams = 4;
   constexpr Duration kWatched = seconds{110};
-  test::Laboratory lab{hosts_of(kTeams), static_cast<std::uint64_t>(run)};
+  test::Laboratory lab{hosts_of(kTeams), seed_of(run)};
   struct Watched {
     std::unique_ptr<test::SimulatedTeam> team;
     std::unique_ptr<test::FalseStops> stops;
