@@ -12,7 +12,8 @@ namespace {
 
 constexpr Duration kDiscovery = std::chrono::milliseconds{1500};
 constexpr Duration kClockPeriod = std::chrono::milliseconds{20};
-constexpr std::uint64_t kMessagesBetweenReports = 50;  ///< at full speed
+constexpr Duration kArrival = std::chrono::milliseconds{300};  ///< for what nobody acknowledges
+constexpr std::uint64_t kMessagesBetweenReports = 50;          ///< at full speed
 
 Time log_time(std::uint64_t nanoseconds) {
   return from_stamp_ns(static_cast<std::int64_t>(nanoseconds));
@@ -185,6 +186,9 @@ std::uint64_t Player::play(const Steer& steer, const OnPose& on_pose) {
   const Pass pass{steer, on_pose, peer ? &*peer : nullptr, end, 0.0};
   while (play_once(first_at(begin), begin, pass) && options_.loop) ++epoch_;
   for (const auto& [name, output] : outputs_) output.writer->wait_for_acknowledgments(std::chrono::seconds{2});
+  // A best-effort sample that is still on its way is lost with its writer: the last ones would be.
+  const Time arrived = bus_.clock().now() + kArrival;
+  for (Time now = bus_.clock().now(); now < arrived; now = bus_.clock().now()) bus_.wait(arrived - now);
   return sent_;
 }
 

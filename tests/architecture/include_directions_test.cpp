@@ -76,6 +76,8 @@ const std::vector<Row>& rows() {
       {"bench/base/", with(kShell, {"bench/", "robot/pioneer/core/", "services/simulator/", "tests/support/"})},
       // Both sides of the link in a laboratory: ours through relays and bus, the peer through Fast DDS itself.
       {"bench/network/", with(kShell, {"bench/", "services/relay/", "tests/network/", "tests/support/"})},
+      // The recorder under load: ourselves on its bus, and its files.
+      {"bench/recording/", with(kShell, {"bench/", "services/recorder/", "tests/support/"})},
       {"bench/", with(kCore, {"bench/", "*/core/", "services/planner/remote/"})},
   };
   return table;

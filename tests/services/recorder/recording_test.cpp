@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <memory>
 #include <thread>
 
 #include "services/recorder/carmen_import.hpp"
@@ -215,17 +216,20 @@ TEST_F(Recording, SaysWhatItHadToDrop) {
 TEST_F(Recording, OfAReplayHoldsTheSamePayloads) {
   const auto original = imported(20);
   bus::Bus recorder_bus{options("recorder")};
-  bus::Bus player_bus{options("replay")};
+  bus::Bus watcher{options("watcher")};
+  auto player_bus = std::make_unique<bus::Bus>(options("replay"));
   const auto file = folder_ / "again.mcap";
   RecorderService service{{}, {}, file, {}, recorder_bus};
   mcap::Reader reader{mcap::file_source(original), "imported.mcap"};
-  Player player{reader, player_bus, {}};
+  auto player = std::make_unique<Player>(reader, *player_bus, ReplayOptions{});
   std::atomic<bool> over = false;
   std::thread recording{[&] {
     while (!over) service.step();
   }};
-  EXPECT_EQ(player.play(kPlay, {}), 40U);
-  EXPECT_TRUE(bus::wait_until(player_bus, seconds{10}, [&] {  // the last is still on its way
+  EXPECT_EQ(player->play(kPlay, {}), 40U);
+  player.reset();  // as the program ends, at once
+  player_bus.reset();
+  EXPECT_TRUE(bus::wait_until(watcher, seconds{10}, [&] {  // the last is still on its way
     return payloads(file, "scan").size() == 20 && payloads(file, "odometry").size() == 20;
   }));
   over = true;
