@@ -13,6 +13,7 @@
 #include "services/cli/report/episode_reader.hpp"
 #include "services/cli/report/report_page.hpp"
 #include "services/common/file_io.hpp"
+#include "services/experiment/core/report/report_csv.hpp"
 #include "services/experiment/core/report/report_json.hpp"
 
 namespace tandem::cli {

@@ -9,6 +9,7 @@
 #include "bench/planning/report/plot.hpp"
 #include "bench/planning/report/rows.hpp"
 #include "services/common/format.hpp"
+#include "services/experiment/core/report/statistics.hpp"
 
 namespace tandem::bench {
 namespace {
@@ -55,7 +56,7 @@ std::string family_table(const Results& results, const std::string& family, cons
     comparisons.push_back(results.compared_with(kOurs, planner, {family}, budget));
     if (planner != kOurs) p_values.push_back(comparisons.back().p);
   }
-  const std::vector<double> adjusted = holm_adjusted(p_values);
+  const std::vector<double> adjusted = experiment::holm_adjusted(p_values);
   std::size_t next_p = 0;
   for (std::size_t i = 0; i < planners.size(); ++i) {
     const auto mean = [&](double RunRecord::*which) {

@@ -28,9 +28,6 @@ struct Interval {
 /// without ties, normal with correction for ties and continuity beyond. Zeros are left out; 1 if none is left.
 [[nodiscard]] double wilcoxon_signed_rank_p(std::span<const double> differences);
 
-/// Holm's step-down correction: the adjusted p of each of several tests, in the order given.
-[[nodiscard]] std::vector<double> holm_adjusted(std::span<const double> p_values);
-
 /// A paired comparison: ratios ours / theirs, instance by instance.
 struct PairedComparison {
   std::size_t instances = 0;

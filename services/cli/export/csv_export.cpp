@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "services/common/csv.hpp"
 #include "services/common/file_io.hpp"
 #include "services/recorder/core/disposed_record.hpp"
 #include "services/recorder/core/message_table.hpp"
@@ -26,7 +27,7 @@ class CsvFile {
     if (!stream_) throw FileError(file_.string() + ": cannot be created: " + std::strerror(errno));
     std::vector<std::string> head{"log_time_ns", "publish_time_ns", "sequence"};
     head.insert(head.end(), table_.columns().begin(), table_.columns().end());
-    stream_ << recorder::csv_line(head);
+    stream_ << csv_line(head);
   }
   ~CsvFile() {
     std::error_code ignored;
@@ -42,7 +43,7 @@ class CsvFile {
     std::vector<std::string> cells{std::to_string(message.log_time), std::to_string(message.publish_time),
                                    std::to_string(message.sequence)};
     cells.insert(cells.end(), row->begin(), row->end());
-    stream_ << recorder::csv_line(cells);
+    stream_ << csv_line(cells);
     return true;
   }
   void finish() {

@@ -194,20 +194,4 @@ std::optional<std::vector<std::string>> MessageTable::row_of(mcap::ByteView payl
   return row.cells();
 }
 
-std::string csv_line(const std::vector<std::string>& cells) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const std::string& cell = cells[i];
-    if (i > 0) line += ',';
-    if (cell.find_first_of(",\"\n\r") == std::string::npos) {
-      line += cell;
-      continue;
-    }
-    line += '"';
-    for (const char c : cell) line += c == '"' ? "\"\"" : std::string(1, c);
-    line += '"';
-  }
-  return line + "\n";
-}
-
 }  // namespace tandem::recorder

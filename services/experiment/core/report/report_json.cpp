@@ -5,8 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "services/common/format.hpp"
-
 namespace tandem::experiment {
 namespace {
 
@@ -253,21 +251,6 @@ std::pair<Json, std::vector<int>> maps_of(std::span<const EpisodeLog> episodes) 
   return maps;
 }
 
-/// Quoted where it must be (RFC 4180).
-std::string csv_cell(const std::string& words) {
-  if (words.find_first_of(",\"\r\n") == std::string::npos) return words;
-  std::string quoted = "\"";
-  for (const char letter : words) {
-    if (letter == '"') quoted += '"';
-    quoted += letter;
-  }
-  return quoted + "\"";
-}
-
-std::string csv_number(double value) {
-  return std::isfinite(value) ? formatted("%.6g", value) : "";
-}
-
 }  // namespace
 
 std::string report_json(std::span<const EpisodeLog> episodes, const Report& report, const PageOptions& options) {
@@ -302,80 +285,6 @@ std::string report_json(std::span<const EpisodeLog> episodes, const Report& repo
   }
   // Names of sessions are written by people, in any encoding.
   return page.dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-
-std::string episodes_csv(std::span<const EpisodeLog> episodes, const Report& report) {
-  std::set<std::string> fields;
-  for (const EpisodeLog& episode : episodes) {
-    for (const auto& [field, value] : episode.fields) fields.insert(field);
-  }
-  std::string csv = "recording,session";
-  for (const std::string& field : fields) csv += "," + csv_cell(field);
-  csv += ",outcome,found_by";
-  for (const Measure& measure : measures()) csv += "," + std::string{measure.name};
-  csv += "\n";
-  for (std::size_t i = 0; i < episodes.size(); ++i) {
-    const EpisodeLog& episode = episodes[i];
-    csv += csv_cell(episode.name) + "," + csv_cell(episode.code);
-    for (const std::string& field : fields) {
-      const auto value = episode.fields.find(field);
-      csv += "," + (value == episode.fields.end() ? std::string{} : csv_cell(value->second));
-    }
-    csv += "," + csv_cell(episode.outcome) + "," + csv_cell(episode.found_by);
-    for (const Measure& measure : measures()) {
-      const auto value = measure.of(report.episodes[i]);
-      csv += "," + (value ? csv_number(*value) : std::string{});
-    }
-    csv += "\n";
-  }
-  return csv;
-}
-
-std::string progress_csv(const Report& report) {
-  std::string csv = "group,time_s,ongoing,explored_robot,explored";
-  for (const Role role : kRoles) csv += "," + std::string{name_of(role)};
-  csv += "\n";
-  for (const GroupReport& group : report.groups) {
-    for (std::size_t i = 0; i < group.explored.size(); ++i) {
-      const MeanExploredAt& at = group.explored[i];
-      csv += csv_cell(group.name) + "," + csv_number(at.time_s) + "," + std::to_string(at.ongoing) + "," +
-             csv_number(at.by_robot) + "," + csv_number(at.by_all);
-      for (const std::size_t in : group.roles[i].in) csv += "," + std::to_string(in);
-      csv += "\n";
-    }
-  }
-  return csv;
-}
-
-std::string my_pose_csv(const Report& report) {
-  std::string csv = "group,until_s,episodes,per_min,deviation,within,threshold_s,matching_threshold_s\n";
-  for (const GroupReport& group : report.groups) {
-    for (const RateRow& row : group.my_pose) {
-      csv += csv_cell(group.name) + "," + csv_number(row.until_s) + "," + std::to_string(row.rate.episodes) + "," +
-             csv_number(row.rate.per_min) + "," + csv_number(row.rate.per_min_deviation) + "," +
-             csv_number(row.rate.within) + "," + csv_number(report.options.threshold_s) + "," +
-             (group.matching_threshold_s > 0.0 ? csv_number(group.matching_threshold_s) : "") + "\n";
-    }
-  }
-  return csv;
-}
-
-std::string comparisons_csv(const Report& report) {
-  std::string csv =
-      "measure,anova_f,df_between,df_within,anova_p,eta_squared,a,b,pairs,p,p_holm,hedges_g,g_low,g_high\n";
-  const auto add = [&](const Comparison& comparison) {
-    const Anova& anova = comparison.anova;
-    for (const PairComparison& pair : comparison.pairs) {
-      csv += csv_cell(comparison.measure) + "," + csv_number(anova.f) + "," + std::to_string(anova.between) + "," +
-             std::to_string(anova.within) + "," + csv_number(anova.p) + "," + csv_number(anova.eta_squared) + "," +
-             csv_cell(pair.a) + "," + csv_cell(pair.b) + "," + std::to_string(pair.pairs) + "," + csv_number(pair.p) +
-             "," + csv_number(pair.p_holm) + "," + csv_number(pair.effect.g) + "," + csv_number(pair.effect.low) + "," +
-             csv_number(pair.effect.high) + "\n";
-    }
-  };
-  for (const Comparison& comparison : report.measures) add(comparison);
-  for (const Comparison& comparison : report.questions) add(comparison);
-  return csv;
 }
 
 }  // namespace tandem::experiment

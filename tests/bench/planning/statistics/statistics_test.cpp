@@ -66,13 +66,6 @@ TEST(Statistics, TheNormalWilcoxonAgreesWithTheExactOne) {
   EXPECT_NEAR(wilcoxon_signed_rank_p(differences), exact, 0.01);
 }
 
-TEST(Statistics, HolmMultipliesTheSmallestMost) {
-  const auto adjusted = holm_adjusted(std::array{0.01, 0.04, 0.03});
-  EXPECT_DOUBLE_EQ(adjusted[0], 0.03);
-  EXPECT_DOUBLE_EQ(adjusted[1], 0.06);  // not below that of a smaller p
-  EXPECT_DOUBLE_EQ(adjusted[2], 0.06);
-}
-
 TEST(Statistics, AComparisonCountsWinsTiesAndLosses) {
   const PairedComparison comparison =
       compared(std::array{50.0, 100.0, 103.0}, std::array{100.0, 100.5, 100.0}, Rng{1}, 100);

@@ -65,9 +65,5 @@ TEST(MessageTable, WhatIsCutShortHasNoRow) {
   }
 }
 
-TEST(CsvLine, QuotesWhatWouldBreakTheLine) {
-  EXPECT_EQ(csv_line({"", "a,b", "say \"x\"", "c"}), ",\"a,b\",\"say \"\"x\"\"\",c\n");
-}
-
 }  // namespace
 }  // namespace tandem::recorder
