@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -16,12 +15,11 @@
 #include "services/bus/bus.hpp"
 #include "services/cli/command.hpp"
 #include "services/cli/host_bus.hpp"
-#include "services/cli/report/episode_reader.hpp"
+#include "services/cli/session/kept_recordings.hpp"
 #include "services/cli/up/episode.hpp"
 #include "services/cli/up/screen.hpp"
 #include "services/common/config.hpp"
 #include "services/common/file_io.hpp"
-#include "services/common/format.hpp"
 #include "services/mapping/map_messages.hpp"
 #include "services/recorder/core/recorder_config.hpp"
 
@@ -201,48 +199,17 @@ struct KeptOptions {
   bool is_sure = false;
 };
 
-/// A recording and what ran in it.
-struct Kept {
-  fs::path file;
-  std::vector<RecordedSession> sessions;
-};
-
-std::vector<Kept> kept_in(const KeptOptions& options) {
-  fs::path folder = options.folder;
-  if (folder.empty()) {
-    const fs::path file = options.host.config_folder / "recorder.toml";
-    folder = fs::exists(file) ? load_config<recorder::RecorderConfig>(file).folder : recorder::RecorderConfig{}.folder;
-  }
-  if (!fs::is_directory(folder)) {
-    throw std::runtime_error(folder.string() + " is no folder: say where recordings are with --folder");
-  }
-  std::vector<Kept> kept;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() != ".mcap") continue;
-    if (stop_requested()) throw Interrupted{};
-    try {
-      mcap::Reader recording{mcap::file_source(entry.path().string()), entry.path().string()};
-      kept.push_back({entry.path(), read_sessions(recording)});
-    } catch (const mcap::McapError& error) {
-      std::fprintf(stderr, "tandem: left out: %s\n", error.what());
-    }
-  }
-  std::ranges::sort(kept, {}, &Kept::file);
-  return kept;
-}
-
-std::string utc_time(std::int64_t stamp_ns) {
-  const std::time_t seconds = stamp_ns / 1'000'000'000;
-  std::tm parts{};
-  gmtime_r(&seconds, &parts);
-  return formatted("%04d-%02d-%02dT%02d:%02d:%02dZ", parts.tm_year + 1900, parts.tm_mon + 1, parts.tm_mday,
-                   parts.tm_hour, parts.tm_min, parts.tm_sec);
+std::vector<KeptRecording> kept_for(const KeptOptions& options) {
+  if (!options.folder.empty()) return kept_recordings(options.folder);
+  const fs::path file = options.host.config_folder / "recorder.toml";
+  return kept_recordings(fs::exists(file) ? load_config<recorder::RecorderConfig>(file).folder
+                                          : recorder::RecorderConfig{}.folder);
 }
 
 void list(const KeptOptions& options) {
   std::ignore = stop_requested();
   auto rows = nlohmann::ordered_json::array();
-  for (const Kept& kept : kept_in(options)) {
+  for (const KeptRecording& kept : kept_for(options)) {
     for (const RecordedSession& session : kept.sessions) {
       rows.push_back({{"session", session.code},
                       {"started", utc_time(session.started_ns)},
@@ -269,7 +236,7 @@ void remove_session(const KeptOptions& options) {
   std::ignore = stop_requested();
   std::vector<fs::path> own;
   std::vector<std::string> shared;
-  for (const Kept& kept : kept_in(options)) {
+  for (const KeptRecording& kept : kept_for(options)) {
     const auto is_it = [&](const RecordedSession& session) { return session.code == options.code; };
     if (std::ranges::none_of(kept.sessions, is_it)) continue;
     if (std::ranges::all_of(kept.sessions, is_it)) {
